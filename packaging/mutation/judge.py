@@ -198,7 +198,7 @@ class Judge:
             os.chmod(home, 0o755)  # a test may look at what it made as somebody else
             environment = {**_FEWER, **os.environ, **test.environment, "TMPDIR": home, "XDG_CONFIG_HOME": f"{home}/config",
                            "XDG_CACHE_HOME": f"{home}/cache"}
-            return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment,
+            return self._run([str(program), *test.arguments], seconds, folder / "test.txt", cwd=home, env=environment,
                              preexec_fn=lambda: _limit(processor_seconds))
 
     def _run(self, command: list[str], seconds: float, output: pathlib.Path, **options) -> int:

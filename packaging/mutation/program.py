@@ -23,6 +23,7 @@ class Test:
     objects: dict[str, pathlib.Path]  # of its own sources, as they are linked
     link: list[str]  # the command that links it
     environment: dict[str, str]
+    arguments: list[str]  # of its program: which of its tests to run
     sources: list[str] = dataclasses.field(default_factory=list)
 
 
@@ -123,14 +124,16 @@ class Program:
         found = []
         for test in json.loads(shown.stdout)["tests"]:
             command = test.get("command", [])
-            executable = pathlib.Path(command[-1]) if command else pathlib.Path()
-            if executable.parent != self.build / folder or not command[0].endswith("/run_test"):
+            if len(command) < 2 or not command[0].endswith("/run_test"):
+                continue
+            executable = pathlib.Path(command[1])
+            if executable.parent != self.build / folder:
                 continue
             properties = {entry["name"]: entry["value"] for entry in test["properties"]}
             environment = dict(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", []))
             link = self._link_command(executable)
             objects = {word: self.build / word for word in link if word.startswith("tests/") and word.endswith(".o")}
-            found.append(Test(test["name"], objects, link, environment))
+            found.append(Test(test["name"], objects, link, environment, command[2:]))
         if not found:
             raise NoSuchRoom(f"{room} has no tests in {folder}.")
         return found
@@ -145,7 +148,10 @@ class Program:
         return shlex.split(line.split(": && ", 1)[1].rsplit(" && :", 1)[0])
 
     def source_of(self, test_object: str) -> str:
-        """tests/core/servo/CMakeFiles/T.dir/X.cpp.o is made of tests/core/servo/X.cpp."""
+        """tests/core/servo/CMakeFiles/T.dir/X.cpp.o is made of tests/core/servo/X.cpp; one of many files, of the build's file that
+        includes them, with its path."""
+        if "/Unity/unity_" in test_object:
+            return str(self.build / test_object.removesuffix(".o"))
         folder, rest = test_object.split("/CMakeFiles/", 1)
         return os.path.normpath(f"{folder}/{rest.split('.dir/', 1)[1].removesuffix('.o')}")
 

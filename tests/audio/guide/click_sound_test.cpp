@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/click_sound.hpp"
 #include "fake_loudspeaker.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace click_sound_test {
 
 using namespace tp;
 using tp::testing::FakeLoudspeaker;
@@ -66,5 +69,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ClickSoundTest)
+} // namespace click_sound_test
+
+TP_TEST(click_sound_test, ClickSoundTest, event_loop)
 #include "click_sound_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/click_stream.hpp"
 #include "heard_sound.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace click_stream_test {
 
 using namespace tp;
 using tp::testing::HeardSound;
@@ -180,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ClickStreamTest)
+} // namespace click_stream_test
+
+TP_TEST(click_stream_test, ClickStreamTest, nothing)
 #include "click_stream_test.moc"

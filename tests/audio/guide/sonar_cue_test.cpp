@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/sonar_cue.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+namespace sonar_cue_test {
 
 using namespace tp;
 
@@ -106,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SonarCueTest)
+} // namespace sonar_cue_test
+
+TP_TEST(sonar_cue_test, SonarCueTest, event_loop)
 #include "sonar_cue_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/sonar_stream.hpp"
 #include "heard_sound.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace sonar_stream_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -168,5 +171,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SonarStreamTest)
+} // namespace sonar_stream_test
+
+TP_TEST(sonar_stream_test, SonarStreamTest, event_loop)
 #include "sonar_stream_test.moc"

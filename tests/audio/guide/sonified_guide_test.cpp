@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/sonified_guide.hpp"
 #include "fake_loudspeaker.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace sonified_guide_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -84,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SonifiedGuideTest)
+} // namespace sonified_guide_test
+
+TP_TEST(sonified_guide_test, SonifiedGuideTest, event_loop)
 #include "sonified_guide_test.moc"

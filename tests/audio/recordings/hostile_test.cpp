@@ -7,12 +7,15 @@
 #include "owned_bytes.hpp"
 #include "places.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 #include "wav_check.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <sndfile.h>
+
+namespace hostile_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -163,5 +166,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HostileRecordings)
+} // namespace hostile_test
+
+TP_TEST(hostile_test, HostileRecordings, event_loop)
 #include "hostile_test.moc"

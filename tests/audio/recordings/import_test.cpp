@@ -5,6 +5,7 @@
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/trim.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <sndfile.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+
+namespace import_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -387,5 +390,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ImportTest)
+} // namespace import_test
+
+TP_TEST(import_test, ImportTest, event_loop)
 #include "import_test.moc"

@@ -2,9 +2,12 @@
 #include "audio/recordings/level.hpp"
 #include "audio/recordings/loudness.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace loudness_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -182,5 +185,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LoudnessTest)
+} // namespace loudness_test
+
+TP_TEST(loudness_test, LoudnessTest, event_loop)
 #include "loudness_test.moc"

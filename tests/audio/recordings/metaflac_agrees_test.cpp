@@ -4,6 +4,7 @@
 #include "audio/recordings/flac_head.hpp"
 #include "places.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -12,6 +13,8 @@
 #include <filesystem>
 #include <optional>
 #include <random>
+
+namespace metaflac_agrees_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -129,5 +132,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MetaflacAgreesTest)
+} // namespace metaflac_agrees_test
+
+TP_TEST(metaflac_agrees_test, MetaflacAgreesTest, event_loop)
 #include "metaflac_agrees_test.moc"

@@ -4,6 +4,7 @@
 #include "audio/recordings/recording_name.hpp"
 #include "core/files/file_words.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+namespace recording_file_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -271,5 +274,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecordingFileTest)
+} // namespace recording_file_test
+
+TP_TEST(recording_file_test, RecordingFileTest, event_loop)
 #include "recording_file_test.moc"

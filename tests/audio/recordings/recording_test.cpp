@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/recording.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace recording_test {
 
 using namespace tp;
 
@@ -18,5 +21,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecordingTest)
+} // namespace recording_test
+
+TP_TEST(recording_test, RecordingTest, event_loop)
 #include "recording_test.moc"

@@ -3,6 +3,7 @@
 #include "audio/recordings/repair_folder.hpp"
 #include "core/files/new_file.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
@@ -15,6 +16,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+namespace repair_folder_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -371,5 +374,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RepairFolderTest)
+} // namespace repair_folder_test
+
+TP_TEST(repair_folder_test, RepairFolderTest, event_loop)
 #include "repair_folder_test.moc"

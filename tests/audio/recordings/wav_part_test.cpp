@@ -2,6 +2,7 @@
 #include "audio/recordings/wav_layout.hpp"
 #include "audio/recordings/wav_part.hpp"
 #include "sounds.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +12,8 @@
 #include <cstring>
 #include <sys/resource.h>
 #include <sys/stat.h>
+
+namespace wav_part_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -249,5 +252,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WavPartTest)
+} // namespace wav_part_test
+
+TP_TEST(wav_part_test, WavPartTest, event_loop)
 #include "wav_part_test.moc"

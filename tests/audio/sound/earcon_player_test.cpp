@@ -2,10 +2,13 @@
 #include "audio/sound/earcon_player.hpp"
 #include "audio/sound/earcon_synth.hpp"
 #include "fake_loudspeaker.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace earcon_player_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -86,5 +89,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EarconPlayerTest)
+} // namespace earcon_player_test
+
+TP_TEST(earcon_player_test, EarconPlayerTest, event_loop)
 #include "earcon_player_test.moc"

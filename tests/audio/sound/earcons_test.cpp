@@ -2,6 +2,7 @@
 #include "audio/sound/earcon_synth.hpp"
 #include "audio/sound/earcons.hpp"
 #include "audio/sound/sound_format.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace earcons_test {
 
 using namespace tp;
 
@@ -119,5 +122,7 @@ private slots:
     void nothing_is_rendered_from_nothing() { QVERIFY(render_tones({}).empty()); }
 };
 
-QTEST_GUILESS_MAIN(EarconsTest)
+} // namespace earcons_test
+
+TP_TEST(earcons_test, EarconsTest, event_loop)
 #include "earcons_test.moc"

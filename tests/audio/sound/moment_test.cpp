@@ -8,6 +8,7 @@
 #include "audio/sound/sound_format.hpp"
 #include "fake_microphone.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QDate>
 #include <QDateTime>
@@ -25,6 +26,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace moment_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -308,5 +311,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MomentTest)
+} // namespace moment_test
+
+TP_TEST(moment_test, MomentTest, event_loop)
 #include "moment_test.moc"

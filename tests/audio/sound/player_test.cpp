@@ -4,12 +4,15 @@
 #include "fake_loudspeaker.hpp"
 #include "inline_filler.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <filesystem>
+
+namespace player_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -344,5 +347,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlayerTest)
+} // namespace player_test
+
+TP_TEST(player_test, PlayerTest, event_loop)
 #include "player_test.moc"

@@ -3,6 +3,7 @@
 #include "audio/sound/recorder_take.hpp"
 #include "fake_microphone.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -13,6 +14,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+
+namespace recorder_take_test {
 
 using namespace tp;
 using State = RecorderTake::State;
@@ -155,5 +158,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecorderTakeTest)
+} // namespace recorder_take_test
+
+TP_TEST(recorder_take_test, RecorderTakeTest, event_loop)
 #include "recorder_take_test.moc"

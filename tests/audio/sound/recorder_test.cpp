@@ -7,6 +7,7 @@
 #include "audio/sound/sound_words.hpp"
 #include "fake_microphone.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QDateTime>
 #include <QSignalSpy>
@@ -14,6 +15,8 @@
 #include <QTest>
 
 #include <atomic>
+
+namespace recorder_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -310,5 +313,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecorderTest)
+} // namespace recorder_test
+
+TP_TEST(recorder_test, RecorderTest, event_loop)
 #include "recorder_test.moc"

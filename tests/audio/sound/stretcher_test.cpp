@@ -2,8 +2,11 @@
 #include "audio/sound/sound_format.hpp"
 #include "audio/sound/stretcher.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace stretcher_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -69,5 +72,7 @@ private slots:
     void nothing_in_nothing_out() { QVERIFY(stretched({}, 44100, 1, 0.5).empty()); }
 };
 
-QTEST_GUILESS_MAIN(StretcherTest)
+} // namespace stretcher_test
+
+TP_TEST(stretcher_test, StretcherTest, event_loop)
 #include "stretcher_test.moc"

@@ -2,12 +2,15 @@
 #include "audio/sound/sound_format.hpp"
 #include "audio/sound/threaded_filler.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <filesystem>
+
+namespace threaded_filler_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -50,5 +53,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ThreadedFillerTest)
+} // namespace threaded_filler_test
+
+TP_TEST(threaded_filler_test, ThreadedFillerTest, event_loop)
 #include "threaded_filler_test.moc"

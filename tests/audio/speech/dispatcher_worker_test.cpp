@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/dispatcher_worker.hpp"
 #include "audio/speech/spoken_voice.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QLocalServer>
@@ -12,6 +13,8 @@
 #include <QTest>
 
 #include <memory>
+
+namespace dispatcher_worker_test {
 
 using namespace tp;
 
@@ -229,5 +232,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DispatcherWorkerTest)
+} // namespace dispatcher_worker_test
+
+TP_TEST(dispatcher_worker_test, DispatcherWorkerTest, event_loop)
 #include "dispatcher_worker_test.moc"

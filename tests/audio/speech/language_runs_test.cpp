@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/language_runs.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <random>
+
+namespace language_runs_test {
 
 using namespace tp;
 
@@ -149,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LanguageRunsTest)
+} // namespace language_runs_test
+
+TP_TEST(language_runs_test, LanguageRunsTest, event_loop)
 #include "language_runs_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/speech_queue.hpp"
+#include "test_program.hpp"
 
 #include <QStringList>
 #include <QTest>
+
+namespace speech_queue_test {
 
 using namespace tp;
 
@@ -166,5 +169,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpeechQueueTest)
+} // namespace speech_queue_test
+
+TP_TEST(speech_queue_test, SpeechQueueTest, event_loop)
 #include "speech_queue_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/spoken_voice.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace spoken_voice_test {
 
 using namespace tp;
 
@@ -35,5 +38,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpokenVoiceTest)
+} // namespace spoken_voice_test
+
+TP_TEST(spoken_voice_test, SpokenVoiceTest, event_loop)
 #include "spoken_voice_test.moc"

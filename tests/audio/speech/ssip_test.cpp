@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/ssip.hpp"
-
 #include "ssip_check.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
 #include <vector>
+
+namespace ssip_test {
 
 using namespace tp;
 
@@ -58,5 +60,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SsipTest)
+} // namespace ssip_test
+
+TP_TEST(ssip_test, SsipTest, event_loop)
 #include "ssip_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frames.hpp"
+#include "test_program.hpp"
 #include "watched.hpp"
 
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace adviser_faults_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -217,5 +220,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AdviserFaultsTest)
+} // namespace adviser_faults_test
+
+TP_TEST(adviser_faults_test, AdviserFaultsTest, nothing)
 #include "adviser_faults_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frames.hpp"
+#include "test_program.hpp"
 #include "watched.hpp"
 
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <set>
 #include <tuple>
 #include <utility>
+
+namespace adviser_search_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -175,5 +178,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AdviserSearchTest)
+} // namespace adviser_search_test
+
+TP_TEST(adviser_search_test, AdviserSearchTest, nothing)
 #include "adviser_search_test.moc"

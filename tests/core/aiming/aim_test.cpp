@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/aiming/aim.hpp"
 #include "frames.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+namespace aim_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -234,5 +237,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimTest)
+} // namespace aim_test
+
+TP_TEST(aim_test, AimTest, nothing)
 #include "aim_test.moc"

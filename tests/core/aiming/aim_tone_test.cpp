@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/aiming/aim_tone.hpp"
 #include "frames.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace aim_tone_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimToneTest)
+} // namespace aim_tone_test
+
+TP_TEST(aim_tone_test, AimToneTest, nothing)
 #include "aim_tone_test.moc"

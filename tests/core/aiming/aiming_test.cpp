@@ -2,6 +2,7 @@
 // The whole room in virtual time, in the cases in which a camera and a detector are at their worst.
 #include "core/aiming/aiming.hpp"
 #include "frames.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace aiming_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -289,5 +292,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimingTest)
+} // namespace aiming_test
+
+TP_TEST(aiming_test, AimingTest, nothing)
 #include "aiming_test.moc"

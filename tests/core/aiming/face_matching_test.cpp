@@ -2,10 +2,13 @@
 // Which face of a frame is which of the frame before.
 #include "core/aiming/face_tracks.hpp"
 #include "frames.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace face_matching_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -175,5 +178,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaceMatchingTest)
+} // namespace face_matching_test
+
+TP_TEST(face_matching_test, FaceMatchingTest, nothing)
 #include "face_matching_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/aiming/face_tracks.hpp"
 #include "frames.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+
+namespace face_tracks_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -278,5 +281,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaceTracksTest)
+} // namespace face_tracks_test
+
+TP_TEST(face_tracks_test, FaceTracksTest, nothing)
 #include "face_tracks_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/aiming/self_timer.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <vector>
+
+namespace self_timer_test {
 
 using namespace tp;
 
@@ -105,5 +108,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SelfTimerTest)
+} // namespace self_timer_test
+
+TP_TEST(self_timer_test, SelfTimerTest, nothing)
 #include "self_timer_test.moc"

@@ -5,12 +5,15 @@
 #include "core/files/whole_file.hpp"
 #include "experiment_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <random>
 #include <set>
 #include <string>
+
+namespace experiment_file_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -239,5 +242,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExperimentFileTest)
+} // namespace experiment_file_test
+
+TP_TEST(experiment_file_test, ExperimentFileTest, nothing)
 #include "experiment_file_test.moc"

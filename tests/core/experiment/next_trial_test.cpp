@@ -2,10 +2,13 @@
 #include "core/experiment/next_trial.hpp"
 #include "core/experiment/split_mix.hpp"
 #include "experiment_check.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <set>
+
+namespace next_trial_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -192,5 +195,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NextTrialTest)
+} // namespace next_trial_test
+
+TP_TEST(next_trial_test, NextTrialTest, nothing)
 #include "next_trial_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/trial_order.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <map>
 #include <set>
+
+namespace trial_order_test {
 
 using namespace tp;
 
@@ -108,5 +111,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TrialOrderTest)
+} // namespace trial_order_test
+
+TP_TEST(trial_order_test, TrialOrderTest, nothing)
 #include "trial_order_test.moc"

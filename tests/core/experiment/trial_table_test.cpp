@@ -3,12 +3,15 @@
 #include "corpus.hpp"
 #include "experiment_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <random>
 #include <set>
 #include <string>
+
+namespace trial_table_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -137,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TrialTableTest)
+} // namespace trial_table_test
+
+TP_TEST(trial_table_test, TrialTableTest, nothing)
 #include "trial_table_test.moc"

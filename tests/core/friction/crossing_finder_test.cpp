@@ -2,12 +2,15 @@
 #include "brute_crossings.hpp"
 #include "core/friction/crossing_finder.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <limits>
 #include <random>
+
+namespace crossing_finder_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -290,5 +293,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CrossingFinderTest)
+} // namespace crossing_finder_test
+
+TP_TEST(crossing_finder_test, CrossingFinderTest, nothing)
 #include "crossing_finder_test.moc"

@@ -2,6 +2,7 @@
 // What a finger is told of a line along which it goes, and of its corners.
 #include "core/friction/friction_finger.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 #include "walk.hpp"
 
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+namespace following_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -250,5 +253,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FollowingTest)
+} // namespace following_test
+
+TP_TEST(following_test, FollowingTest, nothing)
 #include "following_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/friction/friction_finger.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 #include "walk.hpp"
 
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+
+namespace friction_finger_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -220,5 +223,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrictionFingerTest)
+} // namespace friction_finger_test
+
+TP_TEST(friction_finger_test, FrictionFingerTest, nothing)
 #include "friction_finger_test.moc"

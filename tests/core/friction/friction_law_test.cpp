@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/friction/friction_law.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <limits>
+
+namespace friction_law_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -176,5 +179,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrictionLawTest)
+} // namespace friction_law_test
+
+TP_TEST(friction_law_test, FrictionLawTest, nothing)
 #include "friction_law_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/friction/orientation.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+
+namespace orientation_test {
 
 using namespace tp;
 
@@ -124,5 +127,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OrientationTest)
+} // namespace orientation_test
+
+TP_TEST(orientation_test, OrientationTest, nothing)
 #include "orientation_test.moc"

@@ -4,10 +4,13 @@
 #include "core/friction/friction_finger.hpp"
 #include "core/guidance/exact_law.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace recorded_way_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -90,5 +93,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecordedWayTest)
+} // namespace recorded_way_test
+
+TP_TEST(recorded_way_test, RecordedWayTest, nothing)
 #include "recorded_way_test.moc"

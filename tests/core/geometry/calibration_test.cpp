@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/calibration.hpp"
 #include "random_points.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+namespace calibration_test {
 
 using namespace tp;
 
@@ -318,5 +321,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CalibrationTest)
+} // namespace calibration_test
+
+TP_TEST(calibration_test, CalibrationTest, event_loop)
 #include "calibration_test.moc"

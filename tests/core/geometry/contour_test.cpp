@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/contour.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace contour_test {
 
 using namespace tp;
 
@@ -80,5 +83,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ContourTest)
+} // namespace contour_test
+
+TP_TEST(contour_test, ContourTest, event_loop)
 #include "contour_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/polyline.hpp"
 #include "random_points.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <limits>
+
+namespace polyline_test {
 
 using namespace tp;
 
@@ -221,5 +224,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PolylineTest)
+} // namespace polyline_test
+
+TP_TEST(polyline_test, PolylineTest, event_loop)
 #include "polyline_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/transform.hpp"
 #include "random_points.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace transform_test {
 
 using namespace tp;
 
@@ -139,5 +142,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TransformTest)
+} // namespace transform_test
+
+TP_TEST(transform_test, TransformTest, event_loop)
 #include "transform_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/blended_law.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace blended_law_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -123,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BlendedLawTest)
+} // namespace blended_law_test
+
+TP_TEST(blended_law_test, BlendedLawTest, nothing)
 #include "blended_law_test.moc"

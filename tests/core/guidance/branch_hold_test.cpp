@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/branch_hold.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace branch_hold_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -192,5 +195,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BranchHoldTest)
+} // namespace branch_hold_test
+
+TP_TEST(branch_hold_test, BranchHoldTest, nothing)
 #include "branch_hold_test.moc"

@@ -4,11 +4,14 @@
 #include "crowded_scenes.hpp"
 #include "index_parts.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <set>
+
+namespace cell_grid_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -224,5 +227,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CellGridTest)
+} // namespace cell_grid_test
+
+TP_TEST(cell_grid_test, CellGridTest, nothing)
 #include "cell_grid_test.moc"

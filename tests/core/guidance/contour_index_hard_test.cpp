@@ -3,10 +3,13 @@
 #include "brute_force.hpp"
 #include "core/guidance/contour_index.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <functional>
+
+namespace contour_index_hard_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -295,5 +298,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContourIndexHardTest)
+} // namespace contour_index_hard_test
+
+TP_TEST(contour_index_hard_test, ContourIndexHardTest, nothing)
 #include "contour_index_hard_test.moc"

@@ -2,8 +2,11 @@
 #include "brute_force.hpp"
 #include "core/guidance/contour_index.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace contour_index_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -87,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContourIndexTest)
+} // namespace contour_index_test
+
+TP_TEST(contour_index_test, ContourIndexTest, nothing)
 #include "contour_index_test.moc"

@@ -2,10 +2,13 @@
 // Several threads may ask one index.
 #include "core/guidance/contour_index.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <thread>
+
+namespace contour_index_threads_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -34,5 +37,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContourIndexThreadsTest)
+} // namespace contour_index_threads_test
+
+TP_TEST(contour_index_threads_test, ContourIndexThreadsTest, nothing)
 #include "contour_index_threads_test.moc"

@@ -2,10 +2,13 @@
 #include "core/guidance/corner_cue.hpp"
 #include "core/guidance/exact_law.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace corner_cue_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -160,5 +163,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CornerCueTest)
+} // namespace corner_cue_test
+
+TP_TEST(corner_cue_test, CornerCueTest, nothing)
 #include "corner_cue_test.moc"

@@ -2,8 +2,11 @@
 #include "core/guidance/exact_law.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace exact_law_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -178,5 +181,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExactLawTest)
+} // namespace exact_law_test
+
+TP_TEST(exact_law_test, ExactLawTest, nothing)
 #include "exact_law_test.moc"

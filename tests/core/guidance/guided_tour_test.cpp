@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/guided_tour.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <functional>
+
+namespace guided_tour_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -143,5 +146,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GuidedTourTest)
+} // namespace guided_tour_test
+
+TP_TEST(guided_tour_test, GuidedTourTest, nothing)
 #include "guided_tour_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/segment_tree.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <numeric>
 #include <random>
+
+namespace hilbert_order_test {
 
 using namespace tp;
 
@@ -89,5 +92,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HilbertOrderTest)
+} // namespace hilbert_order_test
+
+TP_TEST(hilbert_order_test, HilbertOrderTest, nothing)
 #include "hilbert_order_test.moc"

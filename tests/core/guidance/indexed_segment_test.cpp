@@ -2,11 +2,14 @@
 // The arithmetic beneath every answer of the index, against extended precision.
 #include "index_parts.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <numeric>
+
+namespace indexed_segment_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -183,5 +186,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(IndexedSegmentTest)
+} // namespace indexed_segment_test
+
+TP_TEST(indexed_segment_test, IndexedSegmentTest, nothing)
 #include "indexed_segment_test.moc"

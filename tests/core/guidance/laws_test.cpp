@@ -3,10 +3,13 @@
 #include "core/guidance/corner_cue.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace laws_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -131,5 +134,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LawsTest)
+} // namespace laws_test
+
+TP_TEST(laws_test, LawsTest, nothing)
 #include "laws_test.moc"

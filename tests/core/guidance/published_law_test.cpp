@@ -3,6 +3,7 @@
 #include "core/guidance/published_law.hpp"
 #include "places.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+
+namespace published_law_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -348,5 +351,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PublishedLawTest)
+} // namespace published_law_test
+
+TP_TEST(published_law_test, PublishedLawTest, nothing)
 #include "published_law_test.moc"

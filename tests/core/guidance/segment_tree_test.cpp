@@ -2,10 +2,13 @@
 // The tree alone, where the grid of cells does not answer for it.
 #include "index_parts.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace segment_tree_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SegmentTreeTest)
+} // namespace segment_tree_test
+
+TP_TEST(segment_tree_test, SegmentTreeTest, nothing)
 #include "segment_tree_test.moc"

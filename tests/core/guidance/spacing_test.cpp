@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/spacing.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace spacing_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -166,5 +169,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SpacingTest)
+} // namespace spacing_test
+
+TP_TEST(spacing_test, SpacingTest, nothing)
 #include "spacing_test.moc"

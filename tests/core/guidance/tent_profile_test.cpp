@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/tent_profile.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace tent_profile_test {
 
 using tp::TentProfile;
 
@@ -69,5 +72,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TentProfileTest)
+} // namespace tent_profile_test
+
+TP_TEST(tent_profile_test, TentProfileTest, nothing)
 #include "tent_profile_test.moc"

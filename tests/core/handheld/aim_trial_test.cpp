@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bars of guided aiming, over many simulated people in virtual time.
 #include "core/handheld/aim_trial.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+namespace aim_trial_test {
 
 using namespace tp;
 
@@ -120,5 +123,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimTrialTest)
+} // namespace aim_trial_test
+
+TP_TEST(aim_trial_test, AimTrialTest, nothing)
 #include "aim_trial_test.moc"

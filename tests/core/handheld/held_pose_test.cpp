@@ -4,6 +4,7 @@
 #include "core/handheld/hand_tremor.hpp"
 #include "core/handheld/held_pose.hpp"
 #include "core/handheld/seen_people.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+namespace held_pose_test {
 
 using namespace tp;
 
@@ -156,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HeldPoseTest)
+} // namespace held_pose_test
+
+TP_TEST(held_pose_test, HeldPoseTest, nothing)
 #include "held_pose_test.moc"

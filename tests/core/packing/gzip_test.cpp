@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/packing/gzip.hpp"
+#include "test_program.hpp"
 
 #include <QProcess>
 #include <QTest>
 
 #include <random>
+
+namespace gzip_test {
 
 using namespace tp;
 
@@ -79,5 +82,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(GzipTest)
+} // namespace gzip_test
+
+TP_TEST(gzip_test, GzipTest, event_loop)
 #include "gzip_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/packing/zip.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace zip_test {
 
 using namespace tp;
 
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ZipTest)
+} // namespace zip_test
+
+TP_TEST(zip_test, ZipTest, event_loop)
 #include "zip_test.moc"

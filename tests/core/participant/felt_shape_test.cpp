@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/felt_shape.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace felt_shape_test {
 
 using namespace tp;
 
@@ -162,5 +165,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FeltShapeTest)
+} // namespace felt_shape_test
+
+TP_TEST(felt_shape_test, FeltShapeTest, nothing)
 #include "felt_shape_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/force_sense.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace force_sense_test {
 
 using namespace tp;
 
@@ -77,5 +80,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ForceSenseTest)
+} // namespace force_sense_test
+
+TP_TEST(force_sense_test, ForceSenseTest, nothing)
 #include "force_sense_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/person.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace person_test {
 
 using namespace tp;
 
@@ -43,5 +46,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PersonTest)
+} // namespace person_test
+
+TP_TEST(person_test, PersonTest, nothing)
 #include "person_test.moc"

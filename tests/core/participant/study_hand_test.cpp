@@ -2,10 +2,13 @@
 #include "core/experiment/experiment_file.hpp"
 #include "core/participant/study_hand.hpp"
 #include "core/trials/trial_judge.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace study_hand_test {
 
 using namespace tp;
 
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StudyHandTest)
+} // namespace study_hand_test
+
+TP_TEST(study_hand_test, StudyHandTest, nothing)
 #include "study_hand_test.moc"

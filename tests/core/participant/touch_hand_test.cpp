@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/polyline.hpp"
 #include "core/participant/touch_hand.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <functional>
 #include <vector>
+
+namespace touch_hand_test {
 
 using namespace tp;
 
@@ -127,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TouchHandTest)
+} // namespace touch_hand_test
+
+TP_TEST(touch_hand_test, TouchHandTest, nothing)
 #include "touch_hand_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/way_belief.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+namespace way_belief_test {
 
 using namespace tp;
 
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WayBeliefTest)
+} // namespace way_belief_test
+
+TP_TEST(way_belief_test, WayBeliefTest, nothing)
 #include "way_belief_test.moc"

@@ -2,6 +2,7 @@
 #include "chain_bench.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "device_double.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <set>
 #include <string>
 #include <utility>
+
+namespace chain_faults_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -215,5 +218,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChainFaultsTest)
+} // namespace chain_faults_test
+
+TP_TEST(chain_faults_test, ChainFaultsTest, nothing)
 #include "chain_faults_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/clock.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace clock_test {
 
 using namespace tp;
 
@@ -29,5 +32,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ClockTest)
+} // namespace clock_test
+
+TP_TEST(clock_test, ClockTest, nothing)
 #include "clock_test.moc"

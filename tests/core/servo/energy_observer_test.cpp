@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/energy_observer.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace energy_observer_test {
 
 using namespace tp;
 
@@ -174,5 +177,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EnergyObserverTest)
+} // namespace energy_observer_test
+
+TP_TEST(energy_observer_test, EnergyObserverTest, nothing)
 #include "energy_observer_test.moc"

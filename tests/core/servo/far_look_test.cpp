@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/far_look.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace far_look_test {
 
 using namespace tp;
 
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FarLookTest)
+} // namespace far_look_test
+
+TP_TEST(far_look_test, FarLookTest, nothing)
 #include "far_look_test.moc"

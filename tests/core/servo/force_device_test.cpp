@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/fault.hpp"
 #include "core/servo/force_device.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace force_device_test {
 
 using namespace tp;
 
@@ -54,5 +57,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ForceDeviceTest)
+} // namespace force_device_test
+
+TP_TEST(force_device_test, ForceDeviceTest, nothing)
 #include "force_device_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/fresh_readings.hpp"
+#include "test_program.hpp"
 #include "troubled_stamps.hpp"
 
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+
+namespace fresh_readings_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -142,5 +145,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FreshReadingsTest)
+} // namespace fresh_readings_test
+
+TP_TEST(fresh_readings_test, FreshReadingsTest, nothing)
 #include "fresh_readings_test.moc"

@@ -3,6 +3,7 @@
 #include "core/geometry/polyline.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "device_double.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace safety_chain_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -434,5 +437,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SafetyChainTest)
+} // namespace safety_chain_test
+
+TP_TEST(safety_chain_test, SafetyChainTest, nothing)
 #include "safety_chain_test.moc"

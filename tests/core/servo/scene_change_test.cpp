@@ -2,11 +2,14 @@
 // What becomes of scenes that were handed over, and what a page sees of the one that is felt.
 #include "core/servo/servo_loop.hpp"
 #include "device_double.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <memory>
+
+namespace scene_change_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -150,5 +153,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneChangeTest)
+} // namespace scene_change_test
+
+TP_TEST(scene_change_test, SceneChangeTest, nothing)
 #include "scene_change_test.moc"

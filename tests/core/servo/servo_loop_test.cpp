@@ -2,6 +2,7 @@
 #include "core/servo/servo_loop.hpp"
 #include "device_double.hpp"
 #include "loop_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <sys/prctl.h>
 #include <thread>
 #include <vector>
+
+namespace servo_loop_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -533,5 +536,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ServoLoopTest)
+} // namespace servo_loop_test
+
+TP_TEST(servo_loop_test, ServoLoopTest, event_loop)
 #include "servo_loop_test.moc"

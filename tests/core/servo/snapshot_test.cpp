@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/snapshot.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <sched.h>
 #include <thread>
 #include <type_traits>
+
+namespace snapshot_test {
 
 using tp::Published;
 
@@ -108,5 +111,7 @@ private slots:
     void starts_as_zeroes() { QCOMPARE(Published<double>().latest(), 0.0); }
 };
 
-QTEST_APPLESS_MAIN(SnapshotTest)
+} // namespace snapshot_test
+
+TP_TEST(snapshot_test, SnapshotTest, nothing)
 #include "snapshot_test.moc"

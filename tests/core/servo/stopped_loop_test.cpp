@@ -3,11 +3,14 @@
 #include "core/servo/servo_loop.hpp"
 #include "device_double.hpp"
 #include "loop_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstddef>
 #include <cstdint>
+
+namespace stopped_loop_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -189,5 +192,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StoppedLoopTest)
+} // namespace stopped_loop_test
+
+TP_TEST(stopped_loop_test, StoppedLoopTest, event_loop)
 #include "stopped_loop_test.moc"

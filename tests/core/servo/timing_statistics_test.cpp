@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/timing_statistics.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace timing_statistics_test {
 
 using tp::TimingStatistics;
 
@@ -66,5 +69,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TimingStatisticsTest)
+} // namespace timing_statistics_test
+
+TP_TEST(timing_statistics_test, TimingStatisticsTest, nothing)
 #include "timing_statistics_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/velocity_filter.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace velocity_filter_test {
 
 using namespace tp;
 
@@ -97,5 +100,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(VelocityFilterTest)
+} // namespace velocity_filter_test
+
+TP_TEST(velocity_filter_test, VelocityFilterTest, nothing)
 #include "velocity_filter_test.moc"

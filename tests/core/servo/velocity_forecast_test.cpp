@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/velocity_forecast.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 #include <numbers>
 #include <random>
 #include <vector>
+
+namespace velocity_forecast_test {
 
 using namespace tp;
 
@@ -132,5 +135,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(VelocityForecastTest)
+} // namespace velocity_forecast_test
+
+TP_TEST(velocity_forecast_test, VelocityForecastTest, nothing)
 #include "velocity_forecast_test.moc"

@@ -2,6 +2,7 @@
 #include "core/servo/servo_loop.hpp"
 #include "core/servo/watchdog.hpp"
 #include "device_double.hpp"
+#include "test_program.hpp"
 
 #include <QScopeGuard>
 #include <QTest>
@@ -9,6 +10,8 @@
 #include <functional>
 #include <thread>
 #include <utility>
+
+namespace watchdog_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -413,5 +416,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WatchdogTest)
+} // namespace watchdog_test
+
+TP_TEST(watchdog_test, WatchdogTest, event_loop)
 #include "watchdog_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/safety_chain.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace workspace_test {
 
 using namespace tp;
 
@@ -64,5 +67,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WorkspaceTest)
+} // namespace workspace_test
+
+TP_TEST(workspace_test, WorkspaceTest, nothing)
 #include "workspace_test.moc"

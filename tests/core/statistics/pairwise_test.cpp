@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/statistics/pairwise.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace pairwise_test {
 
 using namespace tp;
 
@@ -123,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PairwiseTest)
+} // namespace pairwise_test
+
+TP_TEST(pairwise_test, PairwiseTest, nothing)
 #include "pairwise_test.moc"

@@ -3,6 +3,7 @@
 #include "core/statistics/pairwise.hpp"
 #include "core/statistics/repeated_anova.hpp"
 #include "core/statistics/studentized_range.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QProcess>
@@ -16,6 +17,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+namespace r_agrees_test {
 
 using namespace tp;
 
@@ -157,5 +160,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RAgreesTest)
+} // namespace r_agrees_test
+
+TP_TEST(r_agrees_test, RAgreesTest, nothing)
 #include "r_agrees_test.moc"

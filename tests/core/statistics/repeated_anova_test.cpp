@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/statistics/repeated_anova.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <random>
 #include <utility>
+
+namespace repeated_anova_test {
 
 using namespace tp;
 
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RepeatedAnovaTest)
+} // namespace repeated_anova_test
+
+TP_TEST(repeated_anova_test, RepeatedAnovaTest, nothing)
 #include "repeated_anova_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/statistics/studentized_range.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
+
+namespace studentized_range_test {
 
 using namespace tp;
 
@@ -74,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StudentizedRangeTest)
+} // namespace studentized_range_test
+
+TP_TEST(studentized_range_test, StudentizedRangeTest, nothing)
 #include "studentized_range_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/statistics/within_table.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace within_table_test {
 
 using namespace tp;
 
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WithinTableTest)
+} // namespace within_table_test
+
+TP_TEST(within_table_test, WithinTableTest, nothing)
 #include "within_table_test.moc"

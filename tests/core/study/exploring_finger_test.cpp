@@ -3,8 +3,11 @@
 #include "core/study/exploring_finger.hpp"
 #include "device/simulated/simulated_device.hpp"
 #include "scenes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace exploring_finger_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExploringFingerTest)
+} // namespace exploring_finger_test
+
+TP_TEST(exploring_finger_test, ExploringFingerTest, nothing)
 #include "exploring_finger_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/expression_cues.hpp"
 #include "drawn_face.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <functional>
 #include <limits>
 #include <random>
+
+namespace expression_cues_test {
 
 using namespace tp;
 using tp::testing::DrawnFace;
@@ -247,5 +250,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExpressionCuesTest)
+} // namespace expression_cues_test
+
+TP_TEST(expression_cues_test, ExpressionCuesTest, nothing)
 #include "expression_cues_test.moc"

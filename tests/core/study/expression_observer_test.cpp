@@ -2,12 +2,15 @@
 #include "core/study/expression_observer.hpp"
 #include "core/study/expression_table.hpp"
 #include "core/study/expression_trial.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <numeric>
 #include <random>
+
+namespace expression_observer_test {
 
 using namespace tp;
 
@@ -279,5 +282,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExpressionObserverTest)
+} // namespace expression_observer_test
+
+TP_TEST(expression_observer_test, ExpressionObserverTest, nothing)
 #include "expression_observer_test.moc"

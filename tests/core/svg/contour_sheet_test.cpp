@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/contour_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
-#include <limits>
 #include <pugixml.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
+
+namespace contour_sheet_test {
 
 using namespace tp;
 
@@ -331,5 +334,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ContourSheetTest)
+} // namespace contour_sheet_test
+
+TP_TEST(contour_sheet_test, ContourSheetTest, event_loop)
 #include "contour_sheet_test.moc"

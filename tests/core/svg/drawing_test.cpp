@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn lies where it looks: units, viewBox, transforms.
 #include "drawn_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <clocale>
 #include <cmath>
 #include <string>
+
+namespace drawing_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -227,5 +230,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawingTest)
+} // namespace drawing_test
+
+TP_TEST(drawing_test, DrawingTest, event_loop)
 #include "drawing_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arcs of paths lie within the tolerance of the ellipses that they are of.
 #include "drawn_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace drawn_arcs_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -149,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawnArcsTest)
+} // namespace drawn_arcs_test
+
+TP_TEST(drawn_arcs_test, DrawnArcsTest, event_loop)
 #include "drawn_arcs_test.moc"

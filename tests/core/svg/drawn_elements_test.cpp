@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a file is drawn, under which name, and what is refused in which words.
 #include "drawn_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
 #include <vector>
+
+namespace drawn_elements_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -170,5 +173,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawnElementsTest)
+} // namespace drawn_elements_test
+
+TP_TEST(drawn_elements_test, DrawnElementsTest, event_loop)
 #include "drawn_elements_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands of a path become the pieces they look like.
 #include "drawn_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
+
+namespace drawn_paths_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -105,5 +108,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawnPathsTest)
+} // namespace drawn_paths_test
+
+TP_TEST(drawn_paths_test, DrawnPathsTest, event_loop)
 #include "drawn_paths_test.moc"

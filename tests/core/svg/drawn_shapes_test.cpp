@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines, rectangles, circles and ellipses become the contours they look like.
 #include "drawn_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <string>
+
+namespace drawn_shapes_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -121,5 +124,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawnShapesTest)
+} // namespace drawn_shapes_test
+
+TP_TEST(drawn_shapes_test, DrawnShapesTest, event_loop)
 #include "drawn_shapes_test.moc"

@@ -5,11 +5,14 @@
 #include "places.hpp"
 #include "sheet_check.hpp"
 #include "svg_mutants.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
 #include <vector>
+
+namespace hostile_test {
 
 using tp::test::Mutator;
 using tp::test::Seed;
@@ -201,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HostileSheets)
+} // namespace hostile_test
+
+TP_TEST(hostile_test, HostileSheets, event_loop)
 #include "hostile_test.moc"

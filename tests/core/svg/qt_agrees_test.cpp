@@ -2,6 +2,7 @@
 // Two readers, one drawing: our contours lie where Qt draws them, in files as Inkscape writes them.
 #include "core/svg/contour_sheet.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QImage>
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+namespace qt_agrees_test {
 
 using namespace tp;
 
@@ -148,5 +151,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(QtAgreesTest)
+} // namespace qt_agrees_test
+
+TP_TEST(qt_agrees_test, QtAgreesTest, window)
 #include "qt_agrees_test.moc"

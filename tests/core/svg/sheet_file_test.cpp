@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/contour_sheet.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +12,8 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+
+namespace sheet_file_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -197,5 +200,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SheetFileTest)
+} // namespace sheet_file_test
+
+TP_TEST(sheet_file_test, SheetFileTest, event_loop)
 #include "sheet_file_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/sheet_names.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace sheet_names_test {
 
 using namespace tp;
 
@@ -115,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SheetNamesTest)
+} // namespace sheet_names_test
+
+TP_TEST(sheet_names_test, SheetNamesTest, event_loop)
 #include "sheet_names_test.moc"

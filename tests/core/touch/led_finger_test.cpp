@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finger that is led along a way.
+#include "test_program.hpp"
 #include "touch_bench.hpp"
 
 #include <QTest>
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+
+namespace led_finger_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -119,5 +122,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LedFingerTest)
+} // namespace led_finger_test
+
+TP_TEST(led_finger_test, LedFingerTest, nothing)
 #include "led_finger_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/touch/tick_law.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <array>
 #include <cmath>
 #include <numbers>
+
+namespace tick_law_test {
 
 using namespace tp;
 
@@ -84,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TickLawTest)
+} // namespace tick_law_test
+
+TP_TEST(tick_law_test, TickLawTest, nothing)
 #include "tick_law_test.moc"

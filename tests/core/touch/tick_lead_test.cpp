@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/touch/tick_lead.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <initializer_list>
+
+namespace tick_lead_test {
 
 using namespace tp;
 
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TickLeadTest)
+} // namespace tick_lead_test
+
+TP_TEST(tick_lead_test, TickLeadTest, nothing)
 #include "tick_lead_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/touch/tick.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace tick_test {
 
 using namespace tp;
 
@@ -46,5 +49,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TickTest)
+} // namespace tick_test
+
+TP_TEST(tick_test, TickTest, nothing)
 #include "tick_test.moc"

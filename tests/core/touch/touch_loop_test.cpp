@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/touch/touch_loop.hpp"
+#include "test_program.hpp"
 #include "touch_bench.hpp"
 
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace touch_loop_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -394,5 +397,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TouchLoopTest)
+} // namespace touch_loop_test
+
+TP_TEST(touch_loop_test, TouchLoopTest, nothing)
 #include "touch_loop_test.moc"

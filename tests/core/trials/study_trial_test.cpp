@@ -4,12 +4,15 @@
 #include "core/trials/study_shapes.hpp"
 #include "core/trials/study_trial.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+namespace study_trial_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -277,5 +280,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StudyTrialTest)
+} // namespace study_trial_test
+
+TP_TEST(study_trial_test, StudyTrialTest, nothing)
 #include "study_trial_test.moc"

@@ -2,11 +2,14 @@
 #include "core/base/chance.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/trials/trial_judge.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace trial_judge_test {
 
 using namespace tp;
 
@@ -172,5 +175,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TrialJudgeTest)
+} // namespace trial_judge_test
+
+TP_TEST(trial_judge_test, TrialJudgeTest, nothing)
 #include "trial_judge_test.moc"

@@ -2,11 +2,14 @@
 #include "../closed_loop/closed_loop_test.hpp"
 
 #include "falcon_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <functional>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -226,5 +229,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FalconClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, FalconClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

@@ -4,6 +4,7 @@
 #include "device/falcon/ftdi.hpp"
 #include "falcon_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -15,6 +16,8 @@
 #include <optional>
 #include <random>
 #include <vector>
+
+namespace codec_test {
 
 using namespace tp::falcon;
 
@@ -218,5 +221,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FalconCodecTest)
+} // namespace codec_test
+
+TP_TEST(codec_test, FalconCodecTest, nothing)
 #include "codec_test.moc"

@@ -4,6 +4,7 @@
 #include "device/guard/simulated_guard.hpp"
 #include "falcon_bench.hpp"
 #include "safe_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -19,6 +20,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace dialogue_test {
 
 using namespace tp;
 using namespace tp::falcon;
@@ -440,5 +443,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FalconDialogueTest)
+} // namespace dialogue_test
+
+TP_TEST(dialogue_test, FalconDialogueTest, nothing)
 #include "dialogue_test.moc"

@@ -3,6 +3,7 @@
 #include "device/falcon/model_falcon.hpp"
 #include "device/falcon/plane_force.hpp"
 #include "quick_falcon.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+
+namespace model_falcon_test {
 
 using namespace tp;
 using namespace tp::falcon;
@@ -170,5 +173,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelFalconTest)
+} // namespace model_falcon_test
+
+TP_TEST(model_falcon_test, ModelFalconTest, nothing)
 #include "model_falcon_test.moc"

@@ -4,6 +4,7 @@
 #include "device/falcon/model_falcon.hpp"
 #include "device/falcon/simulated_falcon_link.hpp"
 #include "quick_falcon.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <array>
 #include <cstdint>
 #include <vector>
+
+namespace model_line_test {
 
 using namespace tp;
 using namespace tp::falcon;
@@ -278,5 +281,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelLineTest)
+} // namespace model_line_test
+
+TP_TEST(model_line_test, ModelLineTest, nothing)
 #include "model_line_test.moc"

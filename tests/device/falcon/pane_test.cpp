@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/falcon/plane_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace pane_test {
 
 using namespace tp;
 using namespace tp::falcon;
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FalconPaneTest)
+} // namespace pane_test
+
+TP_TEST(pane_test, FalconPaneTest, nothing)
 #include "pane_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/falcon/stamper.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+
+namespace stamper_test {
 
 using namespace tp::falcon;
 
@@ -205,5 +208,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StamperTest)
+} // namespace stamper_test
+
+TP_TEST(stamper_test, StamperTest, nothing)
 #include "stamper_test.moc"

@@ -2,6 +2,7 @@
 #include "device/falcon/falcon_start.hpp"
 #include "device/falcon/firmware_image.hpp"
 #include "device/falcon/simulated_falcon_link.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -13,6 +14,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace start_test {
 
 using namespace tp;
 using namespace tp::falcon;
@@ -366,5 +369,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FalconStartTest)
+} // namespace start_test
+
+TP_TEST(start_test, FalconStartTest, nothing)
 #include "start_test.moc"

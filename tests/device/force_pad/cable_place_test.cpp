@@ -2,6 +2,7 @@
 // Where four lengths say that the knob is.
 #include "device/force_pad/firmware/cables.hpp"
 #include "kinematics_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <limits>
 #include <random>
 #include <utility>
+
+namespace cable_place_test {
 
 using namespace tp::pad;
 
@@ -153,5 +156,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CablePlaceTest)
+} // namespace cable_place_test
+
+TP_TEST(cable_place_test, CablePlaceTest, nothing)
 #include "cable_place_test.moc"

@@ -2,6 +2,7 @@
 // What the four cables pull, and which force that makes.
 #include "device/force_pad/firmware/cables.hpp"
 #include "kinematics_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+
+namespace cables_test {
 
 using namespace tp::pad;
 
@@ -239,5 +242,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CablesTest)
+} // namespace cables_test
+
+TP_TEST(cables_test, CablesTest, nothing)
 #include "cables_test.moc"

@@ -2,10 +2,13 @@
 #include "../closed_loop/closed_loop_test.hpp"
 
 #include "pad_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -91,5 +94,7 @@ public:
     ForcePadClosedLoopTest() : ClosedLoopTest(force_pad()) {}
 };
 
-QTEST_APPLESS_MAIN(ForcePadClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, ForcePadClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

@@ -4,6 +4,7 @@
 #include "device/force_pad/pad_frames.hpp"
 #include "pad_bench.hpp"
 #include "safe_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -16,6 +17,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace dialogue_test {
 
 using namespace tp;
 using tp::testing::lend;
@@ -350,5 +353,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PadDialogueTest)
+} // namespace dialogue_test
+
+TP_TEST(dialogue_test, PadDialogueTest, nothing)
 #include "dialogue_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // When a pad pulls, how hard, and when not.
 #include "firmware_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
+
+namespace firmware_test {
 
 using namespace tp::pad;
 
@@ -294,5 +297,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ForcePadFirmwareTest)
+} // namespace firmware_test
+
+TP_TEST(firmware_test, ForcePadFirmwareTest, nothing)
 #include "firmware_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/force_pad/firmware/five_bar.hpp"
 #include "kinematics_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <numbers>
 #include <random>
 #include <utility>
+
+namespace five_bar_test {
 
 using namespace tp::pad;
 
@@ -224,5 +227,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FiveBarTest)
+} // namespace five_bar_test
+
+TP_TEST(five_bar_test, FiveBarTest, nothing)
 #include "five_bar_test.moc"

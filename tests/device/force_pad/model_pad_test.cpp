@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pad without hardware, of which nothing is read back through what it is to try.
 #include "device/force_pad/model_pad.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+namespace model_pad_test {
 
 using namespace tp;
 
@@ -161,5 +164,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelPadTest)
+} // namespace model_pad_test
+
+TP_TEST(model_pad_test, ModelPadTest, nothing)
 #include "model_pad_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/force_pad/firmware/number.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+namespace number_test {
 
 using namespace tp::pad;
 
@@ -75,5 +78,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PadNumberTest)
+} // namespace number_test
+
+TP_TEST(number_test, PadNumberTest, nothing)
 #include "number_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a pad says of itself, of its knob and of what it heard.
 #include "firmware_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <cstring>
 #include <iterator>
 #include <utility>
+
+namespace pad_answers_test {
 
 using namespace tp::pad;
 
@@ -200,5 +203,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ForcePadAnswersTest)
+} // namespace pad_answers_test
+
+TP_TEST(pad_answers_test, ForcePadAnswersTest, nothing)
 #include "pad_answers_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a pad does at its very limits, and beyond what it can.
 #include "firmware_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <iterator>
 #include <tuple>
 #include <utility>
+
+namespace pad_limits_test {
 
 using namespace tp::pad;
 
@@ -201,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PadLimitsTest)
+} // namespace pad_limits_test
+
+TP_TEST(pad_limits_test, PadLimitsTest, nothing)
 #include "pad_limits_test.moc"

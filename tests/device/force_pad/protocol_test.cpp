@@ -4,6 +4,7 @@
 #include "device/force_pad/protocol/usb.hpp"
 #include "frame_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <fstream>
 #include <random>
 #include <string>
+
+namespace protocol_test {
 
 using namespace tp::pad;
 
@@ -391,5 +394,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ForcePadProtocolTest)
+} // namespace protocol_test
+
+TP_TEST(protocol_test, ForcePadProtocolTest, nothing)
 #include "protocol_test.moc"

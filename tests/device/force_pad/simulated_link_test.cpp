@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cable in simulated time: when a frame arrives, and what becomes of it.
 #include "device/force_pad/simulated_link.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstdint>
+
+namespace simulated_link_test {
 
 using namespace tp;
 using Got = ReportTransport::Got;
@@ -148,5 +151,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimulatedLinkTest)
+} // namespace simulated_link_test
+
+TP_TEST(simulated_link_test, SimulatedLinkTest, nothing)
 #include "simulated_link_test.moc"

@@ -5,6 +5,7 @@
 #include "device/haply_2diy/pantograph.hpp"
 #include "device/haply_2diy/protocol/board_frames.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace board_frames_test {
 
 using namespace tp;
 using namespace tp::haply;
@@ -323,5 +326,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplyFramesTest)
+} // namespace board_frames_test
+
+TP_TEST(board_frames_test, HaplyFramesTest, nothing)
 #include "board_frames_test.moc"

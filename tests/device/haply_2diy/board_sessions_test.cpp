@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a 2diy's board holds from one opening, and one homing, to the next; and what its guard is told.
 #include "board_dialogue.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -9,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+
+namespace board_sessions_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplySessionsTest)
+} // namespace board_sessions_test
+
+TP_TEST(board_sessions_test, HaplySessionsTest, nothing)
 #include "board_sessions_test.moc"

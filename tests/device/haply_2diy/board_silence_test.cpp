@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How often a 2diy's board is asked and listened to, and when it counts as out of step: each byte written by hand.
 #include "board_dialogue.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+namespace board_silence_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -197,5 +200,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplySilenceTest)
+} // namespace board_silence_test
+
+TP_TEST(board_silence_test, HaplySilenceTest, nothing)
 #include "board_silence_test.moc"

@@ -3,8 +3,11 @@
 
 #include "../closed_loop/force_judge.hpp"
 #include "board_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -146,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplyClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, HaplyClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is sent to a 2diy's board and when, and which of its answers are believed: each byte written by hand.
 #include "board_dialogue.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace dialogue_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -317,5 +320,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplyDialogueTest)
+} // namespace dialogue_test
+
+TP_TEST(dialogue_test, HaplyDialogueTest, nothing)
 #include "dialogue_test.moc"

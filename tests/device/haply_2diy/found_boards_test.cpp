@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/haply_2diy/found_boards.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -9,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace found_boards_test {
 
 using namespace tp;
 
@@ -85,5 +88,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FoundBoardsTest)
+} // namespace found_boards_test
+
+TP_TEST(found_boards_test, FoundBoardsTest, nothing)
 #include "found_boards_test.moc"

@@ -2,6 +2,7 @@
 #include "board_bench.hpp"
 #include "device/haply_2diy/found_boards.hpp"
 #include "device/open_problem.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace haply_2diy_test {
 
 using namespace tp;
 using tp::testing::BoardBench;
@@ -207,5 +210,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplyBackEndTest)
+} // namespace haply_2diy_test
+
+TP_TEST(haply_2diy_test, HaplyBackEndTest, nothing)
 #include "haply_2diy_test.moc"

@@ -3,6 +3,7 @@
 #include "device/haply_2diy/found_boards.hpp"
 #include "device/haply_2diy/homed_note.hpp"
 #include "device/haply_2diy/plugged_boards.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace known_boards_test {
 
 using namespace tp;
 
@@ -66,5 +69,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(KnownBoardsTest)
+} // namespace known_boards_test
+
+TP_TEST(known_boards_test, KnownBoardsTest, nothing)
 #include "known_boards_test.moc"

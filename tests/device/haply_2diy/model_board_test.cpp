@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands in for a 2diy's board and its handle: how it moves, and when its motors are told.
 #include "set_up_board.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <optional>
 #include <span>
 #include <vector>
+
+namespace model_board_test {
 
 using namespace tp;
 using tp::testing::Board;
@@ -227,5 +230,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelBoardTest)
+} // namespace model_board_test
+
+TP_TEST(model_board_test, ModelBoardTest, nothing)
 #include "model_board_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/haply_2diy/pantograph.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <numbers>
 #include <random>
 #include <utility>
+
+namespace pantograph_test {
 
 using namespace tp;
 
@@ -244,5 +247,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HaplyPantographTest)
+} // namespace pantograph_test
+
+TP_TEST(pantograph_test, HaplyPantographTest, nothing)
 #include "pantograph_test.moc"

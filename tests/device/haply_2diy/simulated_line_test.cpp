@@ -2,6 +2,7 @@
 // The line to a model board, and what goes wrong on it.
 #include "device/haply_2diy/simulated_line.hpp"
 #include "set_up_board.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+namespace simulated_line_test {
 
 using namespace tp;
 using tp::testing::Board;
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimulatedLineTest)
+} // namespace simulated_line_test
+
+TP_TEST(simulated_line_test, SimulatedLineTest, nothing)
 #include "simulated_line_test.moc"

@@ -3,11 +3,14 @@
 
 #include "../closed_loop/force_judge.hpp"
 #include "joystick_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -239,5 +242,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PidJoystickClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, PidJoystickClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

@@ -2,6 +2,7 @@
 // The largest of each that is read of a report descriptor, and one more.
 #include "device/hid/report_descriptor.hpp"
 #include "recorded_descriptors.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+namespace descriptor_limits_test {
 
 using namespace tp;
 using tp::testing::bytes_of;
@@ -109,5 +112,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DescriptorLimitsTest)
+} // namespace descriptor_limits_test
+
+TP_TEST(descriptor_limits_test, DescriptorLimitsTest, nothing)
 #include "descriptor_limits_test.moc"

@@ -5,6 +5,7 @@
 #include "recorded_descriptors.hpp"
 #include "resting_stick.hpp"
 #include "safe_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -21,6 +22,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+namespace dialogue_test {
 
 using namespace tp;
 using tp::testing::bytes_of;
@@ -404,5 +407,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(JoystickDialogueTest)
+} // namespace dialogue_test
+
+TP_TEST(dialogue_test, JoystickDialogueTest, nothing)
 #include "dialogue_test.moc"

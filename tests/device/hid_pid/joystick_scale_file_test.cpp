@@ -3,6 +3,7 @@
 #include "device/hid_pid/joystick_scale_file.hpp"
 #include "joystick_scale_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -13,6 +14,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace joystick_scale_file_test {
 
 using namespace tp;
 
@@ -123,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(JoystickScaleFileTest)
+} // namespace joystick_scale_file_test
+
+TP_TEST(joystick_scale_file_test, JoystickScaleFileTest, nothing)
 #include "joystick_scale_file_test.moc"

@@ -3,6 +3,7 @@
 #include "device/hid_pid/model_joystick.hpp"
 #include "joystick_to_open.hpp"
 #include "safe_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+namespace model_joystick_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -162,5 +165,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelJoystickTest)
+} // namespace model_joystick_test
+
+TP_TEST(model_joystick_test, ModelJoystickTest, nothing)
 #include "model_joystick_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "joystick_to_open.hpp"
 #include "safe_force.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace pid_joystick_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -296,5 +299,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PidJoystickTest)
+} // namespace pid_joystick_test
+
+TP_TEST(pid_joystick_test, PidJoystickTest, nothing)
 #include "pid_joystick_test.moc"

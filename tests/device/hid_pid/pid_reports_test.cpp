@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_pid/pid_reports.hpp"
 #include "joystick_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <iterator>
 #include <string_view>
 #include <vector>
+
+namespace pid_reports_test {
 
 using namespace tp;
 using namespace tp::hid;
@@ -211,5 +214,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PidReportsTest)
+} // namespace pid_reports_test
+
+TP_TEST(pid_reports_test, PidReportsTest, nothing)
 #include "pid_reports_test.moc"

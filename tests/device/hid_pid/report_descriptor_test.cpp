@@ -7,6 +7,7 @@
 #include "model_descriptor_lines.hpp"
 #include "places.hpp"
 #include "recorded_descriptors.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace report_descriptor_test {
 
 using namespace tp;
 using namespace tp::hid;
@@ -253,5 +256,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ReportDescriptorTest)
+} // namespace report_descriptor_test
+
+TP_TEST(report_descriptor_test, ReportDescriptorTest, nothing)
 #include "report_descriptor_test.moc"

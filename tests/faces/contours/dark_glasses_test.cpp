@@ -4,6 +4,7 @@
 #include "faces/contours/dark_glasses.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <initializer_list>
 #include <limits>
 #include <vector>
+
+namespace dark_glasses_test {
 
 using namespace tp;
 
@@ -119,5 +122,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DarkGlassesTest)
+} // namespace dark_glasses_test
+
+TP_TEST(dark_glasses_test, DarkGlassesTest, event_loop)
 #include "dark_glasses_test.moc"

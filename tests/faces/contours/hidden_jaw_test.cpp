@@ -3,6 +3,7 @@
 #include "faces/contours/mesh_model.hpp"
 #include "faces/evaluation/cover_lessons.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 
 #include <limits>
 #include <memory>
+
+namespace hidden_jaw_test {
 
 using namespace tp;
 
@@ -86,5 +89,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HiddenJawTest)
+} // namespace hidden_jaw_test
+
+TP_TEST(hidden_jaw_test, HiddenJawTest, event_loop)
 #include "hidden_jaw_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/contours/net_points.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <set>
+
+namespace net_points_test {
 
 using namespace tp;
 using namespace tp::net_points;
@@ -45,5 +48,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NetPointsTest)
+} // namespace net_points_test
+
+TP_TEST(net_points_test, NetPointsTest, nothing)
 #include "net_points_test.moc"

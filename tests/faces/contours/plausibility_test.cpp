@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/contours/plausibility.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace plausibility_test {
 
 using namespace tp;
 
@@ -60,5 +63,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlausibilityTest)
+} // namespace plausibility_test
+
+TP_TEST(plausibility_test, PlausibilityTest, nothing)
 #include "plausibility_test.moc"

@@ -3,10 +3,13 @@
 #include "faces/decode/picture.hpp"
 #include "faces/detect/embedded_detector.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace second_opinion_test {
 
 using namespace tp;
 
@@ -136,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SecondOpinionTest)
+} // namespace second_opinion_test
+
+TP_TEST(second_opinion_test, SecondOpinionTest, event_loop)
 #include "second_opinion_test.moc"

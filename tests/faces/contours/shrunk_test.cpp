@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/contours/shrunk.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+
+namespace shrunk_test {
 
 using namespace tp;
 
@@ -85,5 +88,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ShrunkTest)
+} // namespace shrunk_test
+
+TP_TEST(shrunk_test, ShrunkTest, nothing)
 #include "shrunk_test.moc"

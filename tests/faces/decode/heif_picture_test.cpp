@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 #include <vector>
+
+namespace heif_picture_test {
 
 using namespace tp;
 using tp::test::gradient;
@@ -218,5 +221,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HeifPictureTest)
+} // namespace heif_picture_test
+
+TP_TEST(heif_picture_test, HeifPictureTest, event_loop)
 #include "heif_picture_test.moc"

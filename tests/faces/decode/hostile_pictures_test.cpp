@@ -3,8 +3,11 @@
 #include "picture_check.hpp"
 #include "places.hpp"
 #include "svg_mutants.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace hostile_pictures_test {
 
 using namespace tp::test;
 
@@ -82,5 +85,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HostilePicturesTest)
+} // namespace hostile_pictures_test
+
+TP_TEST(hostile_pictures_test, HostilePicturesTest, nothing)
 #include "hostile_pictures_test.moc"

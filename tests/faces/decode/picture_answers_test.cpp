@@ -4,6 +4,7 @@
 #include "faces/decode/picture_messages.hpp"
 #include "picture_answer_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace picture_answers_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PictureAnswersTest)
+} // namespace picture_answers_test
+
+TP_TEST(picture_answers_test, PictureAnswersTest, nothing)
 #include "picture_answers_test.moc"

@@ -2,6 +2,7 @@
 #include "faces/decode/jpeg_picture.hpp"
 #include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+
+namespace picture_test {
 
 using namespace tp;
 using tp::test::largest_difference;
@@ -399,5 +402,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PictureTest)
+} // namespace picture_test
+
+TP_TEST(picture_test, PictureTest, event_loop)
 #include "picture_test.moc"

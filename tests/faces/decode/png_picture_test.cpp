@@ -4,6 +4,7 @@
 #include "faces/decode/png_picture.hpp"
 #include "faces/decode/upright_picture.hpp"
 #include "made_pictures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 
 #include <filesystem>
 #include <string>
+
+namespace png_picture_test {
 
 using namespace tp;
 using tp::test::largest_difference;
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PngPictureTest)
+} // namespace png_picture_test
+
+TP_TEST(png_picture_test, PngPictureTest, event_loop)
 #include "png_picture_test.moc"

@@ -2,6 +2,7 @@
 #include "faces/decode/picture.hpp"
 #include "faces/decode/raw_file.hpp"
 #include "made_pictures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 
 #include <fstream>
 #include <iterator>
+
+namespace raw_file_test {
 
 using namespace tp;
 using tp::test::gradient;
@@ -128,5 +131,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RawFileTest)
+} // namespace raw_file_test
+
+TP_TEST(raw_file_test, RawFileTest, event_loop)
 #include "raw_file_test.moc"

@@ -5,6 +5,7 @@
 #include "faces/detect/detector_answer.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QSize>
 #include <QTest>
@@ -12,6 +13,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+
+namespace detector_answer_test {
 
 using namespace tp;
 
@@ -89,5 +92,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DetectorAnswerTest)
+} // namespace detector_answer_test
+
+TP_TEST(detector_answer_test, DetectorAnswerTest, nothing)
 #include "detector_answer_test.moc"

@@ -4,10 +4,13 @@
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/detect/embedded_detector.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <opencv2/imgproc.hpp>
+
+namespace embedded_detector_test {
 
 using namespace tp;
 
@@ -70,5 +73,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EmbeddedDetectorTest)
+} // namespace embedded_detector_test
+
+TP_TEST(embedded_detector_test, EmbeddedDetectorTest, nothing)
 #include "embedded_detector_test.moc"

@@ -4,6 +4,7 @@
 #include "faces/detect/yunet_detector.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QSize>
 #include <QTest>
@@ -13,6 +14,8 @@
 
 #include <cmath>
 #include <string>
+
+namespace yunet_detector_test {
 
 using namespace tp;
 
@@ -63,5 +66,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(YunetDetectorTest)
+} // namespace yunet_detector_test
+
+TP_TEST(yunet_detector_test, YunetDetectorTest, nothing)
 #include "yunet_detector_test.moc"

@@ -3,6 +3,7 @@
 #include "faces/evaluation/golden_set.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace accuracy_test {
 
 using namespace tp;
 
@@ -157,5 +160,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AccuracyTest)
+} // namespace accuracy_test
+
+TP_TEST(accuracy_test, AccuracyTest, event_loop)
 #include "accuracy_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_contours.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+namespace closed_eyes_test {
 
 using namespace tp;
 
@@ -95,5 +98,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(ClosedEyesTest)
+} // namespace closed_eyes_test
+
+TP_TEST(closed_eyes_test, ClosedEyesTest, nothing)
 #include "closed_eyes_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/contour_error.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace contour_error_test {
 
 using namespace tp;
 
@@ -49,5 +52,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ContourErrorTest)
+} // namespace contour_error_test
+
+TP_TEST(contour_error_test, ContourErrorTest, event_loop)
 #include "contour_error_test.moc"

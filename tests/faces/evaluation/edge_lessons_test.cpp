@@ -6,6 +6,7 @@
 #include "faces/evaluation/edge_table.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +15,8 @@
 
 #include <cstdio>
 #include <fstream>
+
+namespace edge_lessons_test {
 
 using namespace tp;
 
@@ -173,5 +176,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EdgeLessonsTest)
+} // namespace edge_lessons_test
+
+TP_TEST(edge_lessons_test, EdgeLessonsTest, event_loop)
 #include "edge_lessons_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/golden_set.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <fstream>
+
+namespace golden_set_test {
 
 using namespace tp;
 
@@ -151,5 +154,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GoldenSetTest)
+} // namespace golden_set_test
+
+TP_TEST(golden_set_test, GoldenSetTest, nothing)
 #include "golden_set_test.moc"

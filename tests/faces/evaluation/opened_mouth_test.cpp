@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_contours.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <numbers>
 #include <string>
 #include <vector>
+
+namespace opened_mouth_test {
 
 using namespace tp;
 
@@ -80,5 +83,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OpenedMouthTest)
+} // namespace opened_mouth_test
+
+TP_TEST(opened_mouth_test, OpenedMouthTest, nothing)
 #include "opened_mouth_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/place_choice.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+
+namespace place_choice_test {
 
 using namespace tp;
 
@@ -153,5 +156,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlaceChoiceTest)
+} // namespace place_choice_test
+
+TP_TEST(place_choice_test, PlaceChoiceTest, event_loop)
 #include "place_choice_test.moc"

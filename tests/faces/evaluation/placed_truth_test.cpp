@@ -4,6 +4,7 @@
 #include "faces/evaluation/placed_truth.hpp"
 #include "placed_truth_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +13,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+namespace placed_truth_test {
 
 using namespace tp;
 
@@ -103,5 +106,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlacedTruthTest)
+} // namespace placed_truth_test
+
+TP_TEST(placed_truth_test, PlacedTruthTest, nothing)
 #include "placed_truth_test.moc"

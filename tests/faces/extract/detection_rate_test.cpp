@@ -3,12 +3,15 @@
 #include "effort.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <map>
 #include <vector>
+
+namespace detection_rate_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -188,5 +191,7 @@ private:
     std::map<int, std::vector<LoneFace>> lone_; ///< by stride: each row looks for the same faces
 };
 
-QTEST_GUILESS_MAIN(DetectionRateTest)
+} // namespace detection_rate_test
+
+TP_TEST(detection_rate_test, DetectionRateTest, event_loop)
 #include "detection_rate_test.moc"

@@ -6,6 +6,7 @@
 #include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QSize>
 #include <QTemporaryDir>
@@ -14,6 +15,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+
+namespace face_extractor_test {
 
 using namespace tp;
 
@@ -363,5 +366,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceExtractorTest)
+} // namespace face_extractor_test
+
+TP_TEST(face_extractor_test, FaceExtractorTest, event_loop)
 #include "face_extractor_test.moc"

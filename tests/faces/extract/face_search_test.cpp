@@ -4,12 +4,15 @@
 #include "faces/detect/embedded_detector.hpp"
 #include "faces/extract/face_search.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
+
+namespace face_search_test {
 
 using namespace tp;
 
@@ -127,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaceSearchTest)
+} // namespace face_search_test
+
+TP_TEST(face_search_test, FaceSearchTest, nothing)
 #include "face_search_test.moc"

@@ -4,6 +4,7 @@
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/extract/quick_faces.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+namespace quick_faces_test {
 
 using namespace tp;
 
@@ -83,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(QuickFacesTest)
+} // namespace quick_faces_test
+
+TP_TEST(quick_faces_test, QuickFacesTest, nothing)
 #include "quick_faces_test.moc"

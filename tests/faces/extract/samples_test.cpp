@@ -4,6 +4,7 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <map>
+
+namespace samples_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -147,5 +150,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SamplesTest)
+} // namespace samples_test
+
+TP_TEST(samples_test, SamplesTest, event_loop)
 #include "samples_test.moc"

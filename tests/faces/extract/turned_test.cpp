@@ -4,8 +4,11 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace turned_test {
 
 using namespace tp;
 
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TurnedTest)
+} // namespace turned_test
+
+TP_TEST(turned_test, TurnedTest, nothing)
 #include "turned_test.moc"

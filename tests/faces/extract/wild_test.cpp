@@ -4,11 +4,14 @@
 #include "faces/evaluation/wild_labels.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <array>
+
+namespace wild_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -166,5 +169,7 @@ private:
     static constexpr std::array<double, features.size()> most_high{1.4, 1.4, 1.6, 1.6, 2.5};
 };
 
-QTEST_GUILESS_MAIN(WildTest)
+} // namespace wild_test
+
+TP_TEST(wild_test, WildTest, event_loop)
 #include "wild_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/identity/descriptor.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+namespace descriptor_test {
 
 using namespace tp;
 
@@ -64,5 +67,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DescriptorTest)
+} // namespace descriptor_test
+
+TP_TEST(descriptor_test, DescriptorTest, event_loop)
 #include "descriptor_test.moc"

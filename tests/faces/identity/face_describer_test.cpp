@@ -3,6 +3,7 @@
 #include "faces/extract/face_extractor.hpp"
 #include "faces/identity/face_describer.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+
+namespace face_describer_test {
 
 using namespace tp;
 
@@ -84,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceDescriberTest)
+} // namespace face_describer_test
+
+TP_TEST(face_describer_test, FaceDescriberTest, event_loop)
 #include "face_describer_test.moc"

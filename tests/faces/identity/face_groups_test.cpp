@@ -2,6 +2,7 @@
 #include "drawn_people.hpp"
 #include "effort.hpp"
 #include "faces/identity/face_groups.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace face_groups_test {
 
 using namespace tp;
 using test::tried_of;
@@ -428,5 +431,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceGroupsTest)
+} // namespace face_groups_test
+
+TP_TEST(face_groups_test, FaceGroupsTest, event_loop)
 #include "face_groups_test.moc"

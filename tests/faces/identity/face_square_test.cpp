@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/identity/face_square.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+namespace face_square_test {
 
 using namespace tp;
 
@@ -147,5 +150,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceSquareTest)
+} // namespace face_square_test
+
+TP_TEST(face_square_test, FaceSquareTest, event_loop)
 #include "face_square_test.moc"

@@ -2,6 +2,7 @@
 #include "drawn_people.hpp"
 #include "faces/identity/face_groups.hpp"
 #include "faces/identity/same_person.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+namespace name_offers_test {
 
 using namespace tp;
 
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NameOffersTest)
+} // namespace name_offers_test
+
+TP_TEST(name_offers_test, NameOffersTest, event_loop)
 #include "name_offers_test.moc"

@@ -2,11 +2,14 @@
 #include "drawn_people.hpp"
 #include "faces/identity/near_groups.hpp"
 #include "faces/identity/same_person.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <map>
+
+namespace near_groups_test {
 
 using namespace tp;
 
@@ -96,5 +99,7 @@ private slots:
     void without_groups_nothing_is_near() { QVERIFY(NearGroups().within(FaceDescriptor{}, 1e9).empty()); }
 };
 
-QTEST_GUILESS_MAIN(NearGroupsTest)
+} // namespace near_groups_test
+
+TP_TEST(near_groups_test, NearGroupsTest, event_loop)
 #include "near_groups_test.moc"

@@ -7,6 +7,7 @@
 #include "faces/identity/same_person.hpp"
 #include "faces/identity/unfit.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -21,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace same_person_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -152,5 +155,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SamePersonTest)
+} // namespace same_person_test
+
+TP_TEST(same_person_test, SamePersonTest, event_loop)
 #include "same_person_test.moc"

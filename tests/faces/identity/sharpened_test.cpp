@@ -2,12 +2,15 @@
 #include "faces/identity/face_square.hpp"
 #include "faces/identity/sharpened.hpp"
 #include "faces/identity/unfit.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <opencv2/imgproc.hpp>
 
 #include <string>
+
+namespace sharpened_test {
 
 using namespace tp;
 
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SharpenedTest)
+} // namespace sharpened_test
+
+TP_TEST(sharpened_test, SharpenedTest, event_loop)
 #include "sharpened_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/identity/unfit.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 
 #include <cmath>
 #include <vector>
+
+namespace unfit_test {
 
 using namespace tp;
 
@@ -102,5 +105,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UnfitTest)
+} // namespace unfit_test
+
+TP_TEST(unfit_test, UnfitTest, event_loop)
 #include "unfit_test.moc"

@@ -6,11 +6,14 @@
 #include "faces/judge/covered.hpp"
 #include "faces/judge/face_problem.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace covered_test {
 
 using namespace tp;
 
@@ -207,5 +210,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CoveredTest)
+} // namespace covered_test
+
+TP_TEST(covered_test, CoveredTest, event_loop)
 #include "covered_test.moc"

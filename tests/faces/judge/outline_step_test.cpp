@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/judge/outline_step.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+namespace outline_step_test {
 
 using namespace tp;
 
@@ -86,5 +89,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OutlineStepTest)
+} // namespace outline_step_test
+
+TP_TEST(outline_step_test, OutlineStepTest, nothing)
 #include "outline_step_test.moc"

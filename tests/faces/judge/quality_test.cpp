@@ -5,12 +5,15 @@
 #include "faces/judge/face_problem.hpp"
 #include "faces/judge/quality.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+
+namespace quality_test {
 
 using namespace tp;
 
@@ -263,5 +266,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(QualityTest)
+} // namespace quality_test
+
+TP_TEST(quality_test, QualityTest, event_loop)
 #include "quality_test.moc"

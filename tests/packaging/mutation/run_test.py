@@ -29,6 +29,16 @@ TESTS = """add_executable(test_limit limit_test.cpp)
 target_link_libraries(test_limit tiny)
 add_test(NAME room.limit COMMAND ${PROJECT_SOURCE_DIR}/run_test $<TARGET_FILE:test_limit>)
 """
+JOINED = """add_executable(test_room limit_test.cpp main.cpp)
+set_target_properties(test_room PROPERTIES UNITY_BUILD ON)
+target_link_libraries(test_room tiny)
+add_test(NAME room.limit COMMAND ${PROJECT_SOURCE_DIR}/run_test $<TARGET_FILE:test_room> limit_test)
+"""
+CHOOSES = """#include "room/limit.hpp"
+#include <string>
+int limit_test();
+int main(int argc, char** argv) { return argc == 2 && argv[1] == std::string("limit_test") ? limit_test() : 2; }
+"""
 LIMIT = """#include "room/limit.hpp"
 #include "room/sum.hpp"
 double limited(double force) { return force > limit ? limit : sum(force, 0.0); }
@@ -102,6 +112,14 @@ class Run(unittest.TestCase):
         shutil.rmtree(self.root / "build/mutants")
         with unittest.mock.patch.dict("os.environ", TP_SCHEDULES="2000"):
             self.assertEqual(self.counts(self.mutate()), (0, of))
+
+    def test_of_a_program_of_many_tests_the_named_one_is_run(self):
+        self.write("tests/room/CMakeLists.txt", JOINED)
+        self.write("tests/room/main.cpp", CHOOSES)
+        self.build(SHARP.replace("int main()", "int limit_test()"))
+        noticed, of = self.counts(self.mutate())
+        self.assertEqual(noticed, of - 2)
+        self.assertEqual(self.counts(self.mutate("--file", "limit.hpp")), (2, 2))
 
     def test_a_header_is_mutated_where_it_is_included(self):
         self.build(SHARP)

@@ -190,6 +190,15 @@ inline int run_all(QObject& object, const std::vector<Case>& cases) {
     return state().failed;
 }
 
+/// Runs a test class; the process's exit status.
+template <typename Test>
+int run() {
+    Test test;
+    std::vector<Case> cases;
+    Test::add_cases(cases);
+    return run_all(test, cases) == 0 ? 0 : 1;
+}
+
 } // namespace tp_stand_in
 
 namespace QTest {
@@ -267,10 +276,5 @@ inline void qSleep(int ms) { qWait(ms); }
 #define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 5000)
 
 #define QTEST_APPLESS_MAIN(type)                                                                             \
-    int main() {                                                                                             \
-        type test;                                                                                           \
-        std::vector<tp_stand_in::Case> cases;                                                                \
-        type::add_cases(cases);                                                                              \
-        return tp_stand_in::run_all(test, cases) == 0 ? 0 : 1;                                               \
-    }
+    int main() { return tp_stand_in::run<type>(); }
 #define QTEST_GUILESS_MAIN(type) QTEST_APPLESS_MAIN(type)

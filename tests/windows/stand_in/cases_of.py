@@ -30,10 +30,9 @@ def listing(text, within=""):
 
 def moc_of(source):
     text = source.read_text(encoding="utf-8")
-    if source.suffix != ".hpp":
-        return listing(text)
     namespace = NAMESPACE.search(text)
-    return f'#include "{source}"\n' + listing(text, f"{namespace[1]}::" if namespace else "")
+    cases = listing(text, f"{namespace[1]}::" if namespace else "")
+    return f'#include "{source}"\n{cases}' if source.suffix == ".hpp" else cases
 
 
 if __name__ == "__main__":

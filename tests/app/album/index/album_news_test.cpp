@@ -3,10 +3,13 @@
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/seen_photos.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
+
+namespace album_news_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -73,5 +76,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AlbumNewsTest)
+} // namespace album_news_test
+
+TP_TEST(album_news_test, AlbumNewsTest, event_loop)
 #include "album_news_test.moc"

@@ -2,6 +2,7 @@
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/sort_keys.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <map>
 #include <set>
 #include <tuple>
+
+namespace album_queries_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -160,5 +163,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AlbumQueriesTest)
+} // namespace album_queries_test
+
+TP_TEST(album_queries_test, AlbumQueriesTest, event_loop)
 #include "album_queries_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <array>
 #include <fcntl.h>
 #include <sys/stat.h>
+
+namespace album_scan_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -302,5 +305,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AlbumScanTest)
+} // namespace album_scan_test
+
+TP_TEST(album_scan_test, AlbumScanTest, event_loop)
 #include "album_scan_test.moc"

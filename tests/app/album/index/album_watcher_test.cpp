@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/album_watcher.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace album_watcher_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -107,5 +110,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AlbumWatcherTest)
+} // namespace album_watcher_test
+
+TP_TEST(album_watcher_test, AlbumWatcherTest, event_loop)
 #include "album_watcher_test.moc"

@@ -3,6 +3,7 @@
 #include "app/album/index/photo_content.hpp"
 #include "core/files/foreign_folder.hpp"
 #include "synthetic_album.hpp"
+#include "test_program.hpp"
 
 #include <QCryptographicHash>
 #include <QTemporaryDir>
@@ -10,6 +11,8 @@
 
 #include <cerrno>
 #include <sys/stat.h>
+
+namespace folder_listing_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -166,5 +169,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FolderListingTest)
+} // namespace folder_listing_test
+
+TP_TEST(folder_listing_test, FolderListingTest, event_loop)
 #include "folder_listing_test.moc"

@@ -2,6 +2,7 @@
 #include "app/album/index/known_faces.hpp"
 #include "app/album/index/seen_photos.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+
+namespace known_faces_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -286,5 +289,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(KnownFacesTest)
+} // namespace known_faces_test
+
+TP_TEST(known_faces_test, KnownFacesTest, event_loop)
 #include "known_faces_test.moc"

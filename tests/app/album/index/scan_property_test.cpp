@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever happens to an album, a scan that reads what changed knows what a scan of everything knows.
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <set>
+
+namespace scan_property_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -140,5 +143,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ScanPropertyTest)
+} // namespace scan_property_test
+
+TP_TEST(scan_property_test, ScanPropertyTest, event_loop)
 #include "scan_property_test.moc"

@@ -3,11 +3,14 @@
 #include "app/album/index/search_words.hpp"
 #include "app/album/index/sort_keys.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <set>
+
+namespace search_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -256,5 +259,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SearchTest)
+} // namespace search_test
+
+TP_TEST(search_test, SearchTest, event_loop)
 #include "search_test.moc"

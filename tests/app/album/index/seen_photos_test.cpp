@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/seen_photos.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <memory>
 #include <string>
+
+namespace seen_photos_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -201,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SeenPhotosTest)
+} // namespace seen_photos_test
+
+TP_TEST(seen_photos_test, SeenPhotosTest, event_loop)
 #include "seen_photos_test.moc"

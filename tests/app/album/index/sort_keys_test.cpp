@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/sort_keys.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace sort_keys_test {
 
 using namespace tp;
 
@@ -75,5 +78,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SortKeysTest)
+} // namespace sort_keys_test
+
+TP_TEST(sort_keys_test, SortKeysTest, event_loop)
 #include "sort_keys_test.moc"

@@ -2,11 +2,14 @@
 // One thread scans while others ask, each with a connection of its own.
 #include "app/album/index/album_queries.hpp"
 #include "test_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <atomic>
 #include <thread>
+
+namespace threads_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -55,5 +58,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ThreadsTest)
+} // namespace threads_test
+
+TP_TEST(threads_test, ThreadsTest, event_loop)
 #include "threads_test.moc"

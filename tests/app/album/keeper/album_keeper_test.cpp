@@ -6,6 +6,7 @@
 #include "app/album/metadata/motion_photo.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/recording_file.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <functional>
 #include <random>
 #include <stop_token>
+
+namespace album_keeper_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -291,5 +294,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AlbumKeeperTest)
+} // namespace album_keeper_test
+
+TP_TEST(album_keeper_test, AlbumKeeperTest, event_loop)
 #include "album_keeper_test.moc"

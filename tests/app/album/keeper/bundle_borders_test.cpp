@@ -5,6 +5,7 @@
 #include "app/album/keeper/import_sources.hpp"
 #include "core/files/file_words.hpp"
 #include "made_zip.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace bundle_borders_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BundleBordersTest)
+} // namespace bundle_borders_test
+
+TP_TEST(bundle_borders_test, BundleBordersTest, event_loop)
 #include "bundle_borders_test.moc"

@@ -5,6 +5,7 @@
 #include "core/files/file_words.hpp"
 #include "made_zip.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QProcess>
@@ -19,6 +20,8 @@
 #include <random>
 #include <set>
 #include <sys/resource.h>
+
+namespace bundle_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -492,5 +495,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BundleTest)
+} // namespace bundle_test
+
+TP_TEST(bundle_test, BundleTest, event_loop)
 #include "bundle_test.moc"

@@ -9,6 +9,7 @@
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/sound_reader.hpp"
 #include "made_video.hpp"
+#include "test_program.hpp"
 
 #include <QDate>
 #include <QTest>
@@ -19,6 +20,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace camera_video_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -241,5 +244,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CameraVideoTest)
+} // namespace camera_video_test
+
+TP_TEST(camera_video_test, CameraVideoTest, event_loop)
 #include "camera_video_test.moc"

@@ -5,6 +5,7 @@
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace faces_and_names_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -213,5 +216,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FacesAndNamesTest)
+} // namespace faces_and_names_test
+
+TP_TEST(faces_and_names_test, FacesAndNamesTest, event_loop)
 #include "faces_and_names_test.moc"

@@ -7,12 +7,15 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <stop_token>
 #include <utility>
 #include <vector>
+
+namespace follow_moves_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -146,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FollowMovesTest)
+} // namespace follow_moves_test
+
+TP_TEST(follow_moves_test, FollowMovesTest, event_loop)
 #include "follow_moves_test.moc"

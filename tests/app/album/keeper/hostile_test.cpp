@@ -3,8 +3,11 @@
 #include "bundle_check.hpp"
 #include "byte_mutants.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace hostile_test {
 
 using namespace tp::test;
 
@@ -49,5 +52,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HostileBundles)
+} // namespace hostile_test
+
+TP_TEST(hostile_test, HostileBundles, event_loop)
 #include "hostile_test.moc"

@@ -9,6 +9,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "core/files/foreign_folder.hpp"
 #include "made_zip.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <csignal>
 #include <sys/resource.h>
 #include <sys/stat.h>
+
+namespace importer_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -479,5 +482,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ImporterTest)
+} // namespace importer_test
+
+TP_TEST(importer_test, ImporterTest, event_loop)
 #include "importer_test.moc"

@@ -5,12 +5,15 @@
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace listed_place_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -121,5 +124,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ListedPlaceTest)
+} // namespace listed_place_test
+
+TP_TEST(listed_place_test, ListedPlaceTest, event_loop)
 #include "listed_place_test.moc"

@@ -4,11 +4,14 @@
 #include "byte_mutants.hpp"
 #include "name_language_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <sys/stat.h>
+
+namespace name_languages_test {
 
 using namespace tp;
 using tp::test::complaint_about_name_language;
@@ -204,5 +207,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NameLanguagesTest)
+} // namespace name_languages_test
+
+TP_TEST(name_languages_test, NameLanguagesTest, event_loop)
 #include "name_languages_test.moc"

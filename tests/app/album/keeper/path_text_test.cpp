@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/path_text.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <random>
+
+namespace path_text_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -39,5 +42,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PathTextTest)
+} // namespace path_text_test
+
+TP_TEST(path_text_test, PathTextTest, event_loop)
 #include "path_text_test.moc"

@@ -9,6 +9,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/metadata/write_sidecar.hpp"
 #include "audio/recordings/recording_file.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -18,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace renamed_people_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -253,5 +256,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RenamedPeopleTest)
+} // namespace renamed_people_test
+
+TP_TEST(renamed_people_test, RenamedPeopleTest, event_loop)
 #include "renamed_people_test.moc"

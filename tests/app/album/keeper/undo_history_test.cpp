@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/undo_history.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <vector>
+
+namespace undo_history_test {
 
 using namespace tp;
 
@@ -98,5 +101,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UndoHistoryTest)
+} // namespace undo_history_test
+
+TP_TEST(undo_history_test, UndoHistoryTest, event_loop)
 #include "undo_history_test.moc"

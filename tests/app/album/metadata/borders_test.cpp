@@ -6,6 +6,7 @@
 #include "app/album/metadata/number_text.hpp"
 #include "app/album/metadata/tag_list.hpp"
 #include "app/album/metadata/xmp_names.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -15,6 +16,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+namespace borders_test {
 
 using namespace tp;
 
@@ -259,5 +262,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BordersTest)
+} // namespace borders_test
+
+TP_TEST(borders_test, BordersTest, event_loop)
 #include "borders_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which names sync programs make, letter by letter: a name that is nearly one is somebody's own file and is left alone.
 #include "app/album/metadata/conflicts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
+
+namespace conflict_names_test {
 
 using namespace tp;
 
@@ -81,5 +84,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ConflictNamesTest)
+} // namespace conflict_names_test
+
+TP_TEST(conflict_names_test, ConflictNamesTest, event_loop)
 #include "conflict_names_test.moc"

@@ -5,6 +5,7 @@
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
 #include "made_photo.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+
+namespace conflicts_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -265,5 +268,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ConflictsTest)
+} // namespace conflicts_test
+
+TP_TEST(conflicts_test, ConflictsTest, event_loop)
 #include "conflicts_test.moc"

@@ -6,6 +6,7 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "made_photo.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <filesystem>
 #include <random>
+
+namespace exiftool_agrees_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -263,5 +266,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExiftoolAgreesTest)
+} // namespace exiftool_agrees_test
+
+TP_TEST(exiftool_agrees_test, ExiftoolAgreesTest, event_loop)
 #include "exiftool_agrees_test.moc"

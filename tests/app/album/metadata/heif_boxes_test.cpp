@@ -4,12 +4,15 @@
 #include "audio/recordings/byte_source.hpp"
 #include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <opencv2/core.hpp>
 
 #include <string>
+
+namespace heif_boxes_test {
 
 using namespace tp;
 using tp::test::gradient;
@@ -75,5 +78,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HeifBoxesTest)
+} // namespace heif_boxes_test
+
+TP_TEST(heif_boxes_test, HeifBoxesTest, event_loop)
 #include "heif_boxes_test.moc"

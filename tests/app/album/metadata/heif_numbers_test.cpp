@@ -2,6 +2,7 @@
 // How a HEIC file says that its picture is turned, number by number: boxes of each size, lists of each version, every turn.
 #include "app/album/metadata/heif_boxes.hpp"
 #include "audio/recordings/byte_source.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace heif_numbers_test {
 
 using namespace tp;
 using namespace std::string_literals;
@@ -237,5 +240,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HeifNumbersTest)
+} // namespace heif_numbers_test
+
+TP_TEST(heif_numbers_test, HeifNumbersTest, event_loop)
 #include "heif_numbers_test.moc"

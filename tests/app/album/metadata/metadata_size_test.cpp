@@ -2,6 +2,7 @@
 // How much metadata a photograph may carry, to the byte, wherever it stands in the file. Files are sparse.
 #include "app/album/metadata/metadata_size.hpp"
 #include "made_photo.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -9,6 +10,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+
+namespace metadata_size_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -136,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MetadataSizeTest)
+} // namespace metadata_size_test
+
+TP_TEST(metadata_size_test, MetadataSizeTest, event_loop)
 #include "metadata_size_test.moc"

@@ -3,6 +3,7 @@
 #include "app/album/metadata/motion_photo.hpp"
 #include "audio/recordings/byte_source.hpp"
 #include "made_video.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace motion_borders_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -191,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MotionBordersTest)
+} // namespace motion_borders_test
+
+TP_TEST(motion_borders_test, MotionBordersTest, event_loop)
 #include "motion_borders_test.moc"

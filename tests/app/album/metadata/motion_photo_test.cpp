@@ -5,13 +5,16 @@
 #include "made_video.hpp"
 #include "motion_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstdint>
-#include <optional>
 #include <initializer_list>
+#include <optional>
 #include <string>
+
+namespace motion_photo_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -160,5 +163,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MotionPhotoTest)
+} // namespace motion_photo_test
+
+TP_TEST(motion_photo_test, MotionPhotoTest, event_loop)
 #include "motion_photo_test.moc"

@@ -4,6 +4,7 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "made_photo.hpp"
 #include "random_changes.hpp"
+#include "test_program.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,6 +16,8 @@
 
 #include <cmath>
 #include <filesystem>
+
+namespace other_programs_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -162,5 +165,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(OtherProgramsTest)
+} // namespace other_programs_test
+
+TP_TEST(other_programs_test, OtherProgramsTest, event_loop)
 #include "other_programs_test.moc"

@@ -2,6 +2,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/metadata/time_text.hpp"
 #include "made_photo.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+
+namespace read_record_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -402,5 +405,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ReadRecordTest)
+} // namespace read_record_test
+
+TP_TEST(read_record_test, ReadRecordTest, event_loop)
 #include "read_record_test.moc"

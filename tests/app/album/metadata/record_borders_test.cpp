@@ -3,6 +3,7 @@
 #include "app/album/metadata/photo_metadata.hpp"
 #include "app/album/metadata/xmp_record.hpp"
 #include "made_photo.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace record_borders_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -236,5 +239,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecordBordersTest)
+} // namespace record_borders_test
+
+TP_TEST(record_borders_test, RecordBordersTest, event_loop)
 #include "record_borders_test.moc"

@@ -3,6 +3,7 @@
 #include "app/album/metadata/number_text.hpp"
 #include "app/album/metadata/time_text.hpp"
 #include "app/album/metadata/xmp_text.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+namespace texts_test {
 
 using namespace tp;
 
@@ -61,7 +64,7 @@ private slots:
         QFETCH(QByteArray, time);
         QFETCH(QByteArray, offset);
         QFETCH(QByteArray, said);
-        QCOMPARE(::said(exif_time(time.toStdString(), offset.toStdString())), said);
+        QCOMPARE(texts_test::said(exif_time(time.toStdString(), offset.toStdString())), said);
     }
 
     void a_calendar_has_so_many_days() {
@@ -159,5 +162,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TextsTest)
+} // namespace texts_test
+
+TP_TEST(texts_test, TextsTest, event_loop)
 #include "texts_test.moc"

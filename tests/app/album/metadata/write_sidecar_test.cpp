@@ -8,6 +8,7 @@
 #include "core/files/durable_file.hpp"
 #include "made_photo.hpp"
 #include "random_changes.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,6 +19,8 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+
+namespace write_sidecar_test {
 
 using namespace tp;
 using namespace tp::test;
@@ -405,5 +408,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WriteSidecarTest)
+} // namespace write_sidecar_test
+
+TP_TEST(write_sidecar_test, WriteSidecarTest, event_loop)
 #include "write_sidecar_test.moc"

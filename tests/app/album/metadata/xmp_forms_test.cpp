@@ -2,11 +2,14 @@
 // Every form that RDF has for a value, as it is read, and how each is written, to the letter.
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
 #include <vector>
+
+namespace xmp_forms_test {
 
 using namespace tp;
 
@@ -188,5 +191,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(XmpFormsTest)
+} // namespace xmp_forms_test
+
+TP_TEST(xmp_forms_test, XmpFormsTest, event_loop)
 #include "xmp_forms_test.moc"

@@ -2,11 +2,14 @@
 // How much a packet may hold, to the one; where rdf:RDF may stand; what becomes of the text around a property.
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstddef>
 #include <string>
+
+namespace xmp_limits_test {
 
 using namespace tp;
 
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(XmpLimitsTest)
+} // namespace xmp_limits_test
+
+TP_TEST(xmp_limits_test, XmpLimitsTest, event_loop)
 #include "xmp_limits_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <string>
+
+namespace xmp_packet_test {
 
 using namespace tp;
 
@@ -175,5 +178,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(XmpPacketTest)
+} // namespace xmp_packet_test
+
+TP_TEST(xmp_packet_test, XmpPacketTest, event_loop)
 #include "xmp_packet_test.moc"

@@ -6,6 +6,7 @@
 #include "faces/detect/embedded_detector.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -20,6 +21,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace aim_eye_test {
 
 using namespace tp;
 
@@ -265,5 +268,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimEyeTest)
+} // namespace aim_eye_test
+
+TP_TEST(aim_eye_test, AimEyeTest, nothing)
 #include "aim_eye_test.moc"

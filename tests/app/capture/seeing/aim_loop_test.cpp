@@ -7,6 +7,7 @@
 #include "core/handheld/guided_hand.hpp"
 #include "faces/decode/picture.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+
+namespace aim_loop_test {
 
 using namespace tp;
 
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AimLoopTest)
+} // namespace aim_loop_test
+
+TP_TEST(aim_loop_test, AimLoopTest, nothing)
 #include "aim_loop_test.moc"

@@ -6,6 +6,7 @@
 #include "faces/extract/quick_faces.hpp"
 #include "known_by.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -15,6 +16,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace face_namer_test {
 
 using namespace tp;
 
@@ -100,5 +103,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaceNamerTest)
+} // namespace face_namer_test
+
+TP_TEST(face_namer_test, FaceNamerTest, nothing)
 #include "face_namer_test.moc"

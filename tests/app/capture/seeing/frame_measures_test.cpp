@@ -7,6 +7,7 @@
 #include "core/handheld/held_pose.hpp"
 #include "faces/decode/picture.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+
+namespace frame_measures_test {
 
 using namespace tp;
 
@@ -156,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrameMeasuresTest)
+} // namespace frame_measures_test
+
+TP_TEST(frame_measures_test, FrameMeasuresTest, nothing)
 #include "frame_measures_test.moc"

@@ -4,6 +4,7 @@
 #include "app/capture/shutter/burst.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -16,6 +17,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace burst_test {
 
 using namespace tp;
 
@@ -189,5 +192,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BurstTest)
+} // namespace burst_test
+
+TP_TEST(burst_test, BurstTest, nothing)
 #include "burst_test.moc"

@@ -9,6 +9,7 @@
 #include "audio/recordings/import_sound.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
+#include "test_program.hpp"
 
 #include <QDate>
 #include <QDateTime>
@@ -26,6 +27,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace photograph_store_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -240,5 +243,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PhotographStoreTest)
+} // namespace photograph_store_test
+
+TP_TEST(photograph_store_test, PhotographStoreTest, nothing)
 #include "photograph_store_test.moc"

@@ -6,6 +6,7 @@
 #include "faces/evaluation/closed_eyes.hpp"
 #include "known_by.hpp"
 #include "portraits.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -16,6 +17,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace taken_look_test {
 
 using namespace tp;
 
@@ -137,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TakenLookTest)
+} // namespace taken_look_test
+
+TP_TEST(taken_look_test, TakenLookTest, nothing)
 #include "taken_look_test.moc"

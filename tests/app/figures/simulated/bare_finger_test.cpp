@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/simulated/bare_finger.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace bare_finger_test {
 
 using namespace tp;
 
@@ -67,5 +70,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BareFingerTest)
+} // namespace bare_finger_test
+
+TP_TEST(bare_finger_test, BareFingerTest, nothing)
 #include "bare_finger_test.moc"

@@ -2,10 +2,13 @@
 // Devices by name as simulated people meet them, and the guided tour to the start.
 #include "app/figures/simulated/simulated_kinds.hpp"
 #include "core/experiment/experiment_file.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
+
+namespace simulated_kinds_test {
 
 using namespace tp;
 
@@ -92,5 +95,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimulatedKindsTest)
+} // namespace simulated_kinds_test
+
+TP_TEST(simulated_kinds_test, SimulatedKindsTest, nothing)
 #include "simulated_kinds_test.moc"

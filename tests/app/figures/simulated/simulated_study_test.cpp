@@ -2,6 +2,7 @@
 #include "app/figures/simulated/simulated_study.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/files/whole_file.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QDirIterator>
@@ -10,6 +11,8 @@
 
 #include <map>
 #include <memory>
+
+namespace simulated_study_test {
 
 using namespace tp;
 
@@ -118,5 +121,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimulatedStudyTest)
+} // namespace simulated_study_test
+
+TP_TEST(simulated_study_test, SimulatedStudyTest, nothing)
 #include "simulated_study_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/simulated/simulated_trial.hpp"
 #include "core/experiment/experiment_file.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <array>
 #include <cmath>
+
+namespace simulated_trial_test {
 
 using namespace tp;
 
@@ -161,5 +164,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimulatedTrialTest)
+} // namespace simulated_trial_test
+
+TP_TEST(simulated_trial_test, SimulatedTrialTest, nothing)
 #include "simulated_trial_test.moc"

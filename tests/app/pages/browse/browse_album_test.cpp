@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QString>
 #include <QTest>
+
+namespace browse_album_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -55,5 +58,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseAlbumTest)
+} // namespace browse_album_test
+
+TP_TEST(browse_album_test, BrowseAlbumTest, window)
 #include "browse_album_test.moc"

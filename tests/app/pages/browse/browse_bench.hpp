@@ -10,6 +10,7 @@
 #include "inline_filler.hpp"
 
 #include <QLocale>
+#include <QString>
 #include <QTest>
 
 #include <cmath>
@@ -17,6 +18,8 @@
 #include <optional>
 
 namespace tp::testing {
+
+inline const QString garden_words = "Anna and Tom, May 2026, Vienna; 2 recording(s).";
 
 /// A drawn album, with a voice and loudspeakers that a test hears.
 struct BrowseSounds {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/seen_photos.hpp"
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QImage>
 #include <QSize>
@@ -10,6 +11,8 @@
 
 #include <cstddef>
 #include <optional>
+
+namespace browse_details_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -115,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseDetailsTest)
+} // namespace browse_details_test
+
+TP_TEST(browse_details_test, BrowseDetailsTest, window)
 #include "browse_details_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_page.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -9,6 +10,8 @@
 #include <QQuickItem>
 #include <QSignalSpy>
 #include <QTest>
+
+namespace browse_hands_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -242,5 +245,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseHandsTest)
+} // namespace browse_hands_test
+
+TP_TEST(browse_hands_test, BrowseHandsTest, window)
 #include "browse_hands_test.moc"

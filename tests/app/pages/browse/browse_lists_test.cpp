@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QString>
@@ -9,6 +10,8 @@
 
 #include <filesystem>
 #include <string>
+
+namespace browse_lists_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -180,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseListsTest)
+} // namespace browse_lists_test
+
+TP_TEST(browse_lists_test, BrowseListsTest, window)
 #include "browse_lists_test.moc"

@@ -18,8 +18,6 @@
 
 #include <memory>
 
-inline const QString garden_words = "Anna and Tom, May 2026, Vienna; 2 recording(s).";
-
 /// One for all tests: Qt keeps what it knows of a device for as long as the program runs.
 inline QPointingDevice* touch_screen() {
     static QPointingDevice* const screen = QTest::createTouchDevice();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_page.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QColor>
@@ -12,6 +13,8 @@
 #include <QTest>
 
 #include <algorithm>
+
+namespace browse_page_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -171,5 +174,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowsePageTest)
+} // namespace browse_page_test
+
+TP_TEST(browse_page_test, BrowsePageTest, window)
 #include "browse_page_test.moc"

@@ -22,8 +22,6 @@
 
 namespace tp::testing {
 
-inline const QString garden_words = "Anna and Tom, May 2026, Vienna; 2 recording(s).";
-
 /// The parts of a BrowseSession without it, over a drawn album.
 struct BrowseParts : BrowseSounds {
     struct Parts {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QString>
 #include <QTest>
 
 #include <cstddef>
 #include <filesystem>
+
+namespace browse_playback_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -117,5 +120,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowsePlaybackTest)
+} // namespace browse_playback_test
+
+TP_TEST(browse_playback_test, BrowsePlaybackTest, window)
 #include "browse_playback_test.moc"

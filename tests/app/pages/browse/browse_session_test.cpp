@@ -3,12 +3,15 @@
 #include "app/album/index/album_index.hpp"
 #include "app/album/index/sql_connection.hpp"
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <filesystem>
 #include <optional>
+
+namespace browse_session_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -256,5 +259,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseSessionTest)
+} // namespace browse_session_test
+
+TP_TEST(browse_session_test, BrowseSessionTest, window)
 #include "browse_session_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_parts.hpp"
+#include "test_program.hpp"
 
 #include <QString>
 #include <QStringList>
 #include <QTest>
+
+namespace browse_trail_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(BrowseTrailTest)
+} // namespace browse_trail_test
+
+TP_TEST(browse_trail_test, BrowseTrailTest, window)
 #include "browse_trail_test.moc"

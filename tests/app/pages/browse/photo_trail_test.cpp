@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/browse/photo_trail.hpp"
 #include "drawn_album.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace photo_trail_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -146,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PhotoTrailTest)
+} // namespace photo_trail_test
+
+TP_TEST(photo_trail_test, PhotoTrailTest, window)
 #include "photo_trail_test.moc"

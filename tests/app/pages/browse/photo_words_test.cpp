@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/browse/photo_words.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace photo_words_test {
 
 using namespace tp;
 
@@ -199,5 +202,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PhotoWordsTest)
+} // namespace photo_words_test
+
+TP_TEST(photo_words_test, PhotoWordsTest, event_loop)
 #include "photo_words_test.moc"

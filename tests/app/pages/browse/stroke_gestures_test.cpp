@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/browse/stroke_gestures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <random>
+
+namespace stroke_gestures_test {
 
 using namespace tp;
 
@@ -147,5 +150,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TouchGesturesTest)
+} // namespace stroke_gestures_test
+
+TP_TEST(stroke_gestures_test, TouchGesturesTest, event_loop)
 #include "stroke_gestures_test.moc"

@@ -4,6 +4,7 @@
 #include "app/pages/browse/tag_playback.hpp"
 #include "audio/sound/playback_order.hpp"
 #include "browse_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -16,6 +17,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace tag_playback_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -261,5 +264,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TagPlaybackTest)
+} // namespace tag_playback_test
+
+TP_TEST(tag_playback_test, TagPlaybackTest, window)
 #include "tag_playback_test.moc"

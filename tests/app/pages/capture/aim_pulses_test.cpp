@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is felt while one aims, in the time of the frames.
 #include "app/pages/capture/aim_pulses.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <optional>
 #include <vector>
+
+namespace aim_pulses_test {
 
 using namespace tp;
 
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AimPulsesTest)
+} // namespace aim_pulses_test
+
+TP_TEST(aim_pulses_test, AimPulsesTest, event_loop)
 #include "aim_pulses_test.moc"

@@ -2,10 +2,13 @@
 // What is said while one aims, and how the tone sounds.
 #include "app/pages/capture/aim_cue.hpp"
 #include "app/pages/capture/aim_words.hpp"
+#include "test_program.hpp"
 
 #include <QLocale>
 #include <QSet>
 #include <QTest>
+
+namespace aim_words_test {
 
 using namespace tp;
 
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AimWordsTest)
+} // namespace aim_words_test
+
+TP_TEST(aim_words_test, AimWordsTest, event_loop)
 #include "aim_words_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From frames to words, tone and the wish for the shutter, without a camera and in the frames' time.
 #include "capture_ground.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace capture_aiming_test {
 
 using namespace tp;
 using Aimed = CaptureAiming::Aimed;
@@ -333,5 +336,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CaptureAimingTest)
+} // namespace capture_aiming_test
+
+TP_TEST(capture_aiming_test, CaptureAimingTest, event_loop)
 #include "capture_aiming_test.moc"

@@ -2,6 +2,7 @@
 // Steps on the album's folder: one after the other beside the page, answered on its thread, taken back one by one.
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/capture/capture_album.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QImage>
@@ -15,6 +16,8 @@
 #include <memory>
 #include <new>
 #include <string>
+
+namespace capture_album_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -125,5 +128,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CaptureAlbumTest)
+} // namespace capture_album_test
+
+TP_TEST(capture_album_test, CaptureAlbumTest, event_loop)
 #include "capture_album_test.moc"

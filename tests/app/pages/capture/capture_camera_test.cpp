@@ -4,6 +4,7 @@
 #include "app/pages/capture/capture_camera.hpp"
 #include "fake_camera.hpp"
 #include "marked_sentences.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -14,6 +15,8 @@
 #include <functional>
 #include <memory>
 #include <utility>
+
+namespace capture_camera_test {
 
 using namespace tp;
 using State = CaptureCamera::State;
@@ -310,5 +313,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CaptureCameraTest)
+} // namespace capture_camera_test
+
+TP_TEST(capture_camera_test, CaptureCameraTest, event_loop)
 #include "capture_camera_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a person wants photographs to be taken: kept, told, and not told where nothing was changed.
 #include "capture_ground.hpp"
+#include "test_program.hpp"
 
 #include <QLocale>
 #include <QSignalSpy>
 
 #include <map>
 #include <utility>
+
+namespace capture_choices_test {
 
 using namespace tp;
 using Guide = Choices::Guide;
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CaptureChoicesTest)
+} // namespace capture_choices_test
+
+TP_TEST(capture_choices_test, CaptureChoicesTest, event_loop)
 #include "capture_choices_test.moc"

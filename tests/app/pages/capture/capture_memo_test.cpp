@@ -3,11 +3,14 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "capture_ground.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QImage>
 #include <QLocale>
 #include <QSignalSpy>
+
+namespace capture_memo_test {
 
 using namespace tp;
 
@@ -131,5 +134,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CaptureMemoTest)
+} // namespace capture_memo_test
+
+TP_TEST(capture_memo_test, CaptureMemoTest, window)
 #include "capture_memo_test.moc"

@@ -4,6 +4,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/capture/capture_moment.hpp"
 #include "capture_ground.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -11,6 +12,8 @@
 #include <QSignalSpy>
 
 #include <filesystem>
+
+namespace capture_moment_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -134,5 +137,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CaptureMomentTest)
+} // namespace capture_moment_test
+
+TP_TEST(capture_moment_test, CaptureMomentTest, window)
 #include "capture_moment_test.moc"

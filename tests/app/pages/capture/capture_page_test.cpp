@@ -4,10 +4,13 @@
 #include "capture_bench.hpp"
 #include "page_test.hpp"
 #include "page_window.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QSize>
 #include <QWindow>
+
+namespace capture_page_test {
 
 using namespace tp;
 
@@ -103,5 +106,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CapturePageTest)
+} // namespace capture_page_test
+
+TP_TEST(capture_page_test, CapturePageTest, window)
 #include "capture_page_test.moc"

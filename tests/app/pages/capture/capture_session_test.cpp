@@ -2,9 +2,12 @@
 // Taking a photograph by ear, in the time of the frames: one thing is said at a time, the camera is on only while the page is
 // seen, and whoever has no camera hears why.
 #include "capture_bench.hpp"
+#include "test_program.hpp"
 
 #include <QLocale>
 #include <QSignalSpy>
+
+namespace capture_session_test {
 
 using namespace tp;
 
@@ -124,5 +127,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CaptureSessionTest)
+} // namespace capture_session_test
+
+TP_TEST(capture_session_test, CaptureSessionTest, window)
 #include "capture_session_test.moc"

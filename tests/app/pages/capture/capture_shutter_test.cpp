@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shutter: what is kept, what is told of it, what is taken back, and that no file is written before.
 #include "capture_bench.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
+
+namespace capture_shutter_test {
 
 using namespace tp;
 
@@ -224,5 +227,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CaptureShutterTest)
+} // namespace capture_shutter_test
+
+TP_TEST(capture_shutter_test, CaptureShutterTest, window)
 #include "capture_shutter_test.moc"

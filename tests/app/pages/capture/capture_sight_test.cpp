@@ -6,6 +6,7 @@
 #include "app/pages/capture/capture_sight.hpp"
 #include "capture_ground.hpp"
 #include "fake_camera.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -15,6 +16,8 @@
 #include <functional>
 #include <memory>
 #include <vector>
+
+namespace capture_sight_test {
 
 using namespace tp;
 using State = CaptureSight::State;
@@ -205,5 +208,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CaptureSightTest)
+} // namespace capture_sight_test
+
+TP_TEST(capture_sight_test, CaptureSightTest, window)
 #include "capture_sight_test.moc"

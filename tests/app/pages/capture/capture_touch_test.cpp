@@ -2,11 +2,14 @@
 // What is felt while one aims, by an output that remembers: it comes and goes, ends with the page, and is nobody's who has not
 // chosen it.
 #include "capture_bench.hpp"
+#include "test_program.hpp"
 
 #include <QLocale>
 
 #include <algorithm>
 #include <vector>
+
+namespace capture_touch_test {
 
 using namespace tp;
 
@@ -191,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CaptureTouchTest)
+} // namespace capture_touch_test
+
+TP_TEST(capture_touch_test, CaptureTouchTest, event_loop)
 #include "capture_touch_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/care_folders.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QFileInfo>
 #include <QSignalSpy>
+
+namespace care_folders_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -101,5 +104,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CareFoldersTest)
+} // namespace care_folders_test
+
+TP_TEST(care_folders_test, CareFoldersTest, window)
 #include "care_folders_test.moc"

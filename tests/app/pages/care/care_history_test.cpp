@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
+
+namespace care_history_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CareHistoryTest)
+} // namespace care_history_test
+
+TP_TEST(care_history_test, CareHistoryTest, window)
 #include "care_history_test.moc"

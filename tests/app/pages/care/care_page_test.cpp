@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "care_page.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -15,6 +16,8 @@
 #include <QQuickView>
 #include <QRectF>
 #include <QSet>
+
+namespace care_page_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -282,5 +285,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CarePageTest)
+} // namespace care_page_test
+
+TP_TEST(care_page_test, CarePageTest, window)
 #include "care_page_test.moc"

@@ -2,8 +2,11 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/pages/care/care_people.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QStringList>
+
+namespace care_people_test {
 
 using namespace tp;
 
@@ -61,5 +64,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CarePeopleTest)
+} // namespace care_people_test
+
+TP_TEST(care_people_test, CarePeopleTest, window)
 #include "care_people_test.moc"

@@ -4,12 +4,15 @@
 #include "care_page.hpp"
 #include "page_test.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QPoint>
 #include <QPointingDevice>
 #include <QQuickItem>
 #include <QQuickView>
+
+namespace care_photo_page_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -277,5 +280,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CarePhotoPageTest)
+} // namespace care_photo_page_test
+
+TP_TEST(care_photo_page_test, CarePhotoPageTest, window)
 #include "care_photo_page_test.moc"

@@ -3,11 +3,14 @@
 #include "app/pages/care/description_care.hpp"
 #include "care_bench.hpp"
 #include "full_disk.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <filesystem>
 #include <string>
+
+namespace description_care_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -272,5 +275,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(DescriptionCareTest)
+} // namespace description_care_test
+
+TP_TEST(description_care_test, DescriptionCareTest, window)
 #include "description_care_test.moc"

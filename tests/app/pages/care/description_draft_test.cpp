@@ -2,11 +2,14 @@
 #include "app/album/index/seen_photos.hpp"
 #include "app/pages/care/description_draft.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <filesystem>
 #include <string>
+
+namespace description_draft_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -136,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(DescriptionDraftTest)
+} // namespace description_draft_test
+
+TP_TEST(description_draft_test, DescriptionDraftTest, window)
 #include "description_draft_test.moc"

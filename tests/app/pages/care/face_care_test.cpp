@@ -5,10 +5,13 @@
 #include "care_bench.hpp"
 #include "full_disk.hpp"
 #include "known_faces.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <cmath>
+
+namespace face_care_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -338,5 +341,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FaceCareTest)
+} // namespace face_care_test
+
+TP_TEST(face_care_test, FaceCareTest, window)
 #include "face_care_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_parts.hpp"
 #include "app/pages/care/face_finder.hpp"
+#include "test_program.hpp"
 
 #include <QSemaphore>
 #include <QSignalSpy>
@@ -9,6 +10,8 @@
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
+
+namespace face_finder_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -173,5 +176,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaceFinderTest)
+} // namespace face_finder_test
+
+TP_TEST(face_finder_test, FaceFinderTest, event_loop)
 #include "face_finder_test.moc"

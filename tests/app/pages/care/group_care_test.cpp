@@ -4,6 +4,7 @@
 #include "app/pages/care/group_care.hpp"
 #include "care_bench.hpp"
 #include "known_faces.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QStringList>
@@ -11,6 +12,8 @@
 #include <fstream>
 #include <system_error>
 #include <unistd.h>
+
+namespace group_care_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -345,5 +348,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GroupCareTest)
+} // namespace group_care_test
+
+TP_TEST(group_care_test, GroupCareTest, window)
 #include "group_care_test.moc"

@@ -2,10 +2,13 @@
 #include "care_page.hpp"
 #include "known_faces.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
 #include <QStringList>
+
+namespace group_page_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -166,5 +169,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GroupPageTest)
+} // namespace group_page_test
+
+TP_TEST(group_page_test, GroupPageTest, window)
 #include "group_page_test.moc"

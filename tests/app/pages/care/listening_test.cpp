@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/listening.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+
+namespace listening_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -144,5 +147,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ListeningTest)
+} // namespace listening_test
+
+TP_TEST(listening_test, ListeningTest, window)
 #include "listening_test.moc"

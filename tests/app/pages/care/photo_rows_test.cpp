@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/photo_rows.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QAbstractItemModel>
 #include <QPersistentModelIndex>
@@ -13,6 +14,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace photo_rows_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -301,5 +304,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PhotoRowsTest)
+} // namespace photo_rows_test
+
+TP_TEST(photo_rows_test, PhotoRowsTest, window)
 #include "photo_rows_test.moc"

@@ -2,6 +2,7 @@
 #include "app/pages/care/recording_list.hpp"
 #include "care_bench.hpp"
 #include "full_disk.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
@@ -9,6 +10,8 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace recording_list_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -363,5 +366,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RecordingListTest)
+} // namespace recording_list_test
+
+TP_TEST(recording_list_test, RecordingListTest, window)
 #include "recording_list_test.moc"

@@ -2,8 +2,11 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/pages/care/recording_wait.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QStringList>
+
+namespace recording_wait_test {
 
 using namespace tp;
 
@@ -106,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RecordingWaitTest)
+} // namespace recording_wait_test
+
+TP_TEST(recording_wait_test, RecordingWaitTest, window)
 #include "recording_wait_test.moc"

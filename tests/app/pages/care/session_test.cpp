@@ -2,8 +2,11 @@
 // What the session does with its parts; each of them has its own test.
 #include "app/album/keeper/photo_files.hpp"
 #include "care_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
+
+namespace session_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -220,5 +223,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CareSessionTest)
+} // namespace session_test
+
+TP_TEST(session_test, CareSessionTest, window)
 #include "session_test.moc"

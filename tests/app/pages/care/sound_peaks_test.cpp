@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/sound_peaks.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace sound_peaks_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -64,5 +67,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SoundPeaksTest)
+} // namespace sound_peaks_test
+
+TP_TEST(sound_peaks_test, SoundPeaksTest, nothing)
 #include "sound_peaks_test.moc"

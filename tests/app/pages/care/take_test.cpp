@@ -2,11 +2,14 @@
 // A recording being made for the photograph that is open, without a session.
 #include "care_bench.hpp"
 #include "sound_files.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <filesystem>
 #include <string>
+
+namespace take_test {
 
 using namespace tp;
 using State = Take::State;
@@ -238,5 +241,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TakeTest)
+} // namespace take_test
+
+TP_TEST(take_test, TakeTest, window)
 #include "take_test.moc"

@@ -2,11 +2,14 @@
 #include "app/pages/care/trimming.hpp"
 #include "care_bench.hpp"
 #include "full_disk.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 
 #include <cmath>
 #include <filesystem>
+
+namespace trimming_test {
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -282,5 +285,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TrimmingTest)
+} // namespace trimming_test
+
+TP_TEST(trimming_test, TrimmingTest, window)
 #include "trimming_test.moc"

@@ -2,9 +2,12 @@
 // What is seen of a recording: how loud it is where, and what of it is kept.
 #include "app/pages/care/waveform_item.hpp"
 #include "drawn_item.hpp"
+#include "test_program.hpp"
 
 #include <QList>
 #include <QTest>
+
+namespace waveform_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -67,5 +70,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(WaveformItemTest)
+} // namespace waveform_item_test
+
+TP_TEST(waveform_item_test, WaveformItemTest, window)
 #include "waveform_item_test.moc"

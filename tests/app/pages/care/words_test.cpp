@@ -2,10 +2,13 @@
 #include "app/pages/care/care_words.hpp"
 #include "app/pages/care/described_in.hpp"
 #include "app/pages/care/import_pace.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
+
+namespace words_test {
 
 using namespace tp;
 
@@ -100,5 +103,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CareWordsTest)
+} // namespace words_test
+
+TP_TEST(words_test, CareWordsTest, nothing)
 #include "words_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/clock_guide.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace clock_guide_test {
 
 using namespace tp;
 
@@ -81,5 +84,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ClockGuideTest)
+} // namespace clock_guide_test
+
+TP_TEST(clock_guide_test, ClockGuideTest, event_loop)
 #include "clock_guide_test.moc"

@@ -4,11 +4,14 @@
 #include "app/parts/controls/recording_announcer.hpp"
 #include "drawn_item.hpp"
 #include "explore_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cstddef>
+
+namespace contours_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -112,5 +115,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ContoursItemTest)
+} // namespace contours_item_test
+
+TP_TEST(contours_item_test, ContoursItemTest, window)
 #include "contours_item_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/dwell.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace dwell_test {
 
 using namespace tp;
 
@@ -37,5 +40,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DwellTest)
+} // namespace dwell_test
+
+TP_TEST(dwell_test, DwellTest, event_loop)
 #include "dwell_test.moc"

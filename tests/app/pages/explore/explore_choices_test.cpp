@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace explore_choices_test {
 
 using namespace tp;
 
@@ -60,5 +63,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreChoicesTest)
+} // namespace explore_choices_test
+
+TP_TEST(explore_choices_test, ExploreChoicesTest, event_loop)
 #include "explore_choices_test.moc"

@@ -5,6 +5,7 @@
 #include "device/calibration_file.hpp"
 #include "device_socket.hpp"
 #include "explore_bench.hpp"
+#include "test_program.hpp"
 
 #include <QLineF>
 #include <QTemporaryDir>
@@ -12,6 +13,8 @@
 
 #include <cmath>
 #include <filesystem>
+
+namespace explore_device_test {
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -404,5 +407,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreDeviceTest)
+} // namespace explore_device_test
+
+TP_TEST(explore_device_test, ExploreDeviceTest, event_loop)
 #include "explore_device_test.moc"

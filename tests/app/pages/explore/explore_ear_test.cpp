@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QPointF>
 #include <QStringList>
@@ -10,6 +11,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+namespace explore_ear_test {
 
 using namespace tp;
 
@@ -244,5 +247,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreEarTest)
+} // namespace explore_ear_test
+
+TP_TEST(explore_ear_test, ExploreEarTest, event_loop)
 #include "explore_ear_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace explore_finger_test {
 
 using namespace tp;
 
@@ -87,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreFingerTest)
+} // namespace explore_finger_test
+
+TP_TEST(explore_finger_test, ExploreFingerTest, event_loop)
 #include "explore_finger_test.moc"

@@ -4,11 +4,14 @@
 #include "app/pages/explore/explore_gestures.hpp"
 #include "app/pages/explore/explore_walk.hpp"
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <utility>
 #include <vector>
+
+namespace explore_gestures_test {
 
 using namespace tp;
 
@@ -144,5 +147,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreGesturesTest)
+} // namespace explore_gestures_test
+
+TP_TEST(explore_gestures_test, ExploreGesturesTest, event_loop)
 #include "explore_gestures_test.moc"

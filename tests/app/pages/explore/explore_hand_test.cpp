@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QStringList>
 #include <QTest>
 
 #include <vector>
+
+namespace explore_hand_test {
 
 using namespace tp;
 
@@ -89,5 +92,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreHandTest)
+} // namespace explore_hand_test
+
+TP_TEST(explore_hand_test, ExploreHandTest, event_loop)
 #include "explore_hand_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_page.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineF>
 #include <QPointingDevice>
 #include <QTest>
+
+namespace explore_keys_test {
 
 using namespace tp;
 
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExploreKeysTest)
+} // namespace explore_keys_test
+
+TP_TEST(explore_keys_test, ExploreKeysTest, window)
 #include "explore_keys_test.moc"

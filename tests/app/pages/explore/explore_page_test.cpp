@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_page.hpp"
 #include "page_test.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -14,6 +15,8 @@
 #include <QSet>
 #include <QTest>
 #include <QUrl>
+
+namespace explore_page_test {
 
 using namespace tp;
 
@@ -236,5 +239,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExplorePageTest)
+} // namespace explore_page_test
+
+TP_TEST(explore_page_test, ExplorePageTest, window)
 #include "explore_page_test.moc"

@@ -3,12 +3,15 @@
 #include "app/parts/controls/recording_announcer.hpp"
 #include "explore_bench.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTranslator>
 #include <QVariantMap>
+
+namespace explore_session_test {
 
 using namespace tp;
 
@@ -320,5 +323,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreSessionTest)
+} // namespace explore_session_test
+
+TP_TEST(explore_session_test, ExploreSessionTest, event_loop)
 #include "explore_session_test.moc"

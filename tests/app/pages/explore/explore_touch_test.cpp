@@ -3,6 +3,7 @@
 #include "app/parts/controls/recording_announcer.hpp"
 #include "device_socket.hpp"
 #include "explore_bench.hpp"
+#include "test_program.hpp"
 #include "touch_socket.hpp"
 
 #include <QLineF>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+
+namespace explore_touch_test {
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -335,5 +338,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExploreTouchTest)
+} // namespace explore_touch_test
+
+TP_TEST(explore_touch_test, ExploreTouchTest, window)
 #include "explore_touch_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QStringList>
 #include <QTest>
 
 #include <memory>
 #include <vector>
+
+namespace explore_tour_test {
 
 using namespace tp;
 
@@ -97,5 +100,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreTourTest)
+} // namespace explore_tour_test
+
+TP_TEST(explore_tour_test, ExploreTourTest, event_loop)
 #include "explore_tour_test.moc"

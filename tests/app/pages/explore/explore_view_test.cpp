@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QRectF>
 #include <QStringList>
@@ -9,6 +10,8 @@
 
 #include <cmath>
 #include <memory>
+
+namespace explore_view_test {
 
 using namespace tp;
 
@@ -115,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreViewTest)
+} // namespace explore_view_test
+
+TP_TEST(explore_view_test, ExploreViewTest, event_loop)
 #include "explore_view_test.moc"

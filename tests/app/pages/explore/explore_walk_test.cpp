@@ -2,6 +2,7 @@
 #include "app/pages/explore/explore_walk.hpp"
 #include "explore_parts.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QColor>
 #include <QFile>
@@ -10,6 +11,8 @@
 #include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace explore_walk_test {
 
 using namespace tp;
 
@@ -191,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreWalkTest)
+} // namespace explore_walk_test
+
+TP_TEST(explore_walk_test, ExploreWalkTest, event_loop)
 #include "explore_walk_test.moc"

@@ -6,8 +6,11 @@
 #include "app/pages/explore/explore_watch.hpp"
 #include "app/pages/explore/rest_watch.hpp"
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace explore_watch_test {
 
 using namespace tp;
 
@@ -157,5 +160,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreWatchTest)
+} // namespace explore_watch_test
+
+TP_TEST(explore_watch_test, ExploreWatchTest, event_loop)
 #include "explore_watch_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QStringList>
 #include <QTest>
+
+namespace explore_words_test {
 
 using namespace tp;
 
@@ -59,5 +62,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreWordsTest)
+} // namespace explore_words_test
+
+TP_TEST(explore_words_test, ExploreWordsTest, event_loop)
 #include "explore_words_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QRectF>
 #include <QStringList>
@@ -8,6 +9,8 @@
 #include <QVariantMap>
 
 #include <cmath>
+
+namespace explore_zoom_test {
 
 using namespace tp;
 
@@ -116,5 +119,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExploreZoomTest)
+} // namespace explore_zoom_test
+
+TP_TEST(explore_zoom_test, ExploreZoomTest, event_loop)
 #include "explore_zoom_test.moc"

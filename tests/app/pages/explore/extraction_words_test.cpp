@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/extraction_words.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace extraction_words_test {
 
 using namespace tp;
 
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExtractionWordsTest)
+} // namespace extraction_words_test
+
+TP_TEST(extraction_words_test, ExtractionWordsTest, event_loop)
 #include "extraction_words_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/feature_tracker.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace feature_tracker_test {
 
 using namespace tp;
 
@@ -41,5 +44,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FeatureTrackerTest)
+} // namespace feature_tracker_test
+
+TP_TEST(feature_tracker_test, FeatureTrackerTest, event_loop)
 #include "feature_tracker_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstdint>
 #include <functional>
+
+namespace finger_servo_test {
 
 using namespace tp;
 
@@ -150,5 +153,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FingerServoTest)
+} // namespace finger_servo_test
+
+TP_TEST(finger_servo_test, FingerServoTest, event_loop)
 #include "finger_servo_test.moc"

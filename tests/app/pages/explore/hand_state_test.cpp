@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/hand_state.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace hand_state_test {
 
 using namespace tp;
 using Is = HandState::Is;
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HandStateTest)
+} // namespace hand_state_test
+
+TP_TEST(hand_state_test, HandStateTest, nothing)
 #include "hand_state_test.moc"

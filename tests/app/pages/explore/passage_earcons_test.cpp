@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/passage_earcons.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace passage_earcons_test {
 
 using namespace tp;
 
@@ -93,5 +96,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PassageEarconsTest)
+} // namespace passage_earcons_test
+
+TP_TEST(passage_earcons_test, PassageEarconsTest, event_loop)
 #include "passage_earcons_test.moc"

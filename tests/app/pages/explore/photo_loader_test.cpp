@@ -2,10 +2,13 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/pages/explore/photo_loader.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace photo_loader_test {
 
 using namespace tp;
 
@@ -85,5 +88,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PhotoLoaderTest)
+} // namespace photo_loader_test
+
+TP_TEST(photo_loader_test, PhotoLoaderTest, event_loop)
 #include "photo_loader_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/place_words.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace place_words_test {
 
 using namespace tp;
 
@@ -42,5 +45,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlaceWordsTest)
+} // namespace place_words_test
+
+TP_TEST(place_words_test, PlaceWordsTest, event_loop)
 #include "place_words_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/sheet_place.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <limits>
 #include <optional>
+
+namespace sheet_place_test {
 
 using namespace tp;
 
@@ -48,5 +51,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SheetPlaceTest)
+} // namespace sheet_place_test
+
+TP_TEST(sheet_place_test, SheetPlaceTest, nothing)
 #include "sheet_place_test.moc"

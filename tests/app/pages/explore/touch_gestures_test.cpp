@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/touch_gestures.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace touch_gestures_test {
 
 using namespace tp;
 using enum TouchGestures::Gesture;
@@ -153,5 +156,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TouchGesturesTest)
+} // namespace touch_gestures_test
+
+TP_TEST(touch_gestures_test, TouchGesturesTest, event_loop)
 #include "touch_gestures_test.moc"

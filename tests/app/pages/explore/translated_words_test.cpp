@@ -6,6 +6,7 @@
 #include "audio/sentences/sentences.hpp"
 #include "core/servo/fault.hpp"
 #include "faces/base/face.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QTest>
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <string>
+
+namespace translated_words_test {
 
 using namespace tp;
 
@@ -73,5 +76,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TranslatedWordsTest)
+} // namespace translated_words_test
+
+TP_TEST(translated_words_test, TranslatedWordsTest, event_loop)
 #include "translated_words_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/face_tour.hpp"
 #include "app/pages/explore/zoom_steps.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace zoom_steps_test {
 
 using namespace tp;
 
@@ -86,5 +89,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ZoomStepsTest)
+} // namespace zoom_steps_test
+
+TP_TEST(zoom_steps_test, ZoomStepsTest, event_loop)
 #include "zoom_steps_test.moc"

@@ -3,6 +3,7 @@
 #include "app/pages/lab/tick_tap.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device_double.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+namespace faulty_device_test {
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -136,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaultyDeviceTest)
+} // namespace faulty_device_test
+
+TP_TEST(faulty_device_test, FaultyDeviceTest, event_loop)
 #include "faulty_device_test.moc"

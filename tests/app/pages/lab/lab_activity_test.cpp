@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace lab_activity_test {
 
 using namespace tp;
 
@@ -46,5 +49,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabActivityTest)
+} // namespace lab_activity_test
+
+TP_TEST(lab_activity_test, LabActivityTest, window)
 #include "lab_activity_test.moc"

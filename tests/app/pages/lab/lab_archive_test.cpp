@@ -3,12 +3,15 @@
 #include "app/pages/lab/lab_setup.hpp"
 #include "core/files/whole_file.hpp"
 #include "lab_folder.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <filesystem>
+
+namespace lab_archive_test {
 
 using namespace tp;
 
@@ -88,5 +91,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabArchiveTest)
+} // namespace lab_archive_test
+
+TP_TEST(lab_archive_test, LabArchiveTest, window)
 #include "lab_archive_test.moc"

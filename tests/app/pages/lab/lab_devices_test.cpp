@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace lab_devices_test {
 
 using namespace tp;
 
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabDevicesTest)
+} // namespace lab_devices_test
+
+TP_TEST(lab_devices_test, LabDevicesTest, window)
 #include "lab_devices_test.moc"

@@ -4,6 +4,7 @@
 #include "app/pages/lab/lab_setup.hpp"
 #include "app/pages/lab/sample_scenes.hpp"
 #include "app/photo/picture/field_picture.hpp"
+#include "test_program.hpp"
 
 #include <QColor>
 #include <QImage>
@@ -14,6 +15,8 @@
 #include <memory>
 #include <optional>
 #include <vector>
+
+namespace lab_field_test {
 
 using namespace tp;
 
@@ -164,5 +167,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabFieldTest)
+} // namespace lab_field_test
+
+TP_TEST(lab_field_test, LabFieldTest, window)
 #include "lab_field_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace lab_hand_test {
 
 using namespace tp;
 
@@ -67,5 +70,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabHandTest)
+} // namespace lab_hand_test
+
+TP_TEST(lab_hand_test, LabHandTest, window)
 #include "lab_hand_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace lab_measurements_test {
 
 using namespace tp;
 
@@ -35,5 +38,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabMeasurementsTest)
+} // namespace lab_measurements_test
+
+TP_TEST(lab_measurements_test, LabMeasurementsTest, window)
 #include "lab_measurements_test.moc"

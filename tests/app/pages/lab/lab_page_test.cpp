@@ -3,6 +3,7 @@
 #include "lab_bench.hpp"
 #include "page_test.hpp"
 #include "page_window.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QPointingDevice>
@@ -10,6 +11,8 @@
 #include <QQmlEngine>
 
 #include <memory>
+
+namespace lab_page_test {
 
 using namespace tp;
 
@@ -159,5 +162,7 @@ private:
     const QString page = "Lab/LabPage.qml";
 };
 
-QTEST_MAIN(LabPageTest)
+} // namespace lab_page_test
+
+TP_TEST(lab_page_test, LabPageTest, window)
 #include "lab_page_test.moc"

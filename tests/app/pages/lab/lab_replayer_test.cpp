@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_folder.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTest>
 
 #include <cstddef>
 #include <filesystem>
+
+namespace lab_replayer_test {
 
 using namespace tp;
 
@@ -106,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabReplayerTest)
+} // namespace lab_replayer_test
+
+TP_TEST(lab_replayer_test, LabReplayerTest, window)
 #include "lab_replayer_test.moc"

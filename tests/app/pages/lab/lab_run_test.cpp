@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/lab/lab_run.hpp"
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+
+namespace lab_run_test {
 
 using namespace tp;
 
@@ -180,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabRunTest)
+} // namespace lab_run_test
+
+TP_TEST(lab_run_test, LabRunTest, window)
 #include "lab_run_test.moc"

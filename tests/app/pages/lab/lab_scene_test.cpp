@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QImage>
 #include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
+
+namespace lab_scene_test {
 
 using namespace tp;
 
@@ -67,5 +70,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabSceneTest)
+} // namespace lab_scene_test
+
+TP_TEST(lab_scene_test, LabSceneTest, window)
 #include "lab_scene_test.moc"

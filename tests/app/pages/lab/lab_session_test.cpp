@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab_bench.hpp"
-
 #include "core/files/whole_file.hpp"
+#include "lab_bench.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 
 #include <cmath>
+
+namespace lab_session_test {
 
 using namespace tp;
 
@@ -221,5 +223,7 @@ private slots:
 
 };
 
-QTEST_MAIN(LabSessionTest)
+} // namespace lab_session_test
+
+TP_TEST(lab_session_test, LabSessionTest, window)
 #include "lab_session_test.moc"

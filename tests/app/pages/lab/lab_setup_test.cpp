@@ -4,11 +4,14 @@
 #include "corpus.hpp"
 #include "lab_setup_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <random>
 #include <set>
+
+namespace lab_setup_test {
 
 using namespace tp;
 
@@ -130,5 +133,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LabSetupTest)
+} // namespace lab_setup_test
+
+TP_TEST(lab_setup_test, LabSetupTest, event_loop)
 #include "lab_setup_test.moc"

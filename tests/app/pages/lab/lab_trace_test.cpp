@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/lab/lab_trace.hpp"
 #include "app/pages/lab/plot_curves.hpp"
+#include "test_program.hpp"
 
 #include <QByteArray>
 #include <QList>
@@ -11,6 +12,8 @@
 #include <cstddef>
 #include <random>
 #include <vector>
+
+namespace lab_trace_test {
 
 using namespace tp;
 
@@ -154,5 +157,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LabTraceTest)
+} // namespace lab_trace_test
+
+TP_TEST(lab_trace_test, LabTraceTest, event_loop)
 #include "lab_trace_test.moc"

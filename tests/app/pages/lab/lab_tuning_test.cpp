@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QList>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace lab_tuning_test {
 
 using namespace tp;
 
@@ -108,5 +111,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LabTuningTest)
+} // namespace lab_tuning_test
+
+TP_TEST(lab_tuning_test, LabTuningTest, window)
 #include "lab_tuning_test.moc"

@@ -3,8 +3,11 @@
 #include "app/pages/lab/plot_item.hpp"
 #include "drawn_item.hpp"
 #include "lab_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace plot_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PlotItemTest)
+} // namespace plot_item_test
+
+TP_TEST(plot_item_test, PlotItemTest, window)
 #include "plot_item_test.moc"

@@ -3,6 +3,7 @@
 #include "core/geometry/flatten.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "faces/pieces/fewest_pieces.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace mend_contour_test {
 
 using namespace tp;
 
@@ -229,5 +232,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MendContourTest)
+} // namespace mend_contour_test
+
+TP_TEST(mend_contour_test, MendContourTest, event_loop)
 #include "mend_contour_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_drag.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <string>
+
+namespace mend_drag_test {
 
 using namespace tp;
 using State = MendDrag::State;
@@ -154,5 +157,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendDragTest)
+} // namespace mend_drag_test
+
+TP_TEST(mend_drag_test, MendDragTest, window)
 #include "mend_drag_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_editing.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <string>
+
+namespace mend_editing_test {
 
 using namespace tp;
 
@@ -173,5 +176,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendEditingTest)
+} // namespace mend_editing_test
+
+TP_TEST(mend_editing_test, MendEditingTest, window)
 #include "mend_editing_test.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <string>
 #include <vector>
+
+namespace mend_history_test {
 
 using namespace tp;
 
@@ -107,5 +110,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MendHistoryTest)
+} // namespace mend_history_test
+
+TP_TEST(mend_history_test, MendHistoryTest, event_loop)
 #include "mend_history_test.moc"

@@ -3,11 +3,14 @@
 #include "app/pages/mend/mend_lines_item.hpp"
 #include "drawn_item.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cstddef>
+
+namespace mend_lines_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendLinesItemTest)
+} // namespace mend_lines_item_test
+
+TP_TEST(mend_lines_item_test, MendLinesItemTest, window)
 #include "mend_lines_item_test.moc"

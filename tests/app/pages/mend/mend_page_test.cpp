@@ -3,6 +3,7 @@
 #include "mend_bench.hpp"
 #include "page_test.hpp"
 #include "page_window.hpp"
+#include "test_program.hpp"
 
 #include <QAccessible>
 #include <QImage>
@@ -10,6 +11,8 @@
 #include <QQuickItem>
 #include <QSet>
 #include <QTest>
+
+namespace mend_page_test {
 
 using namespace tp;
 
@@ -280,5 +283,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendPageTest)
+} // namespace mend_page_test
+
+TP_TEST(mend_page_test, MendPageTest, window)
 #include "mend_page_test.moc"

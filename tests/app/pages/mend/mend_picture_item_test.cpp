@@ -3,8 +3,11 @@
 #include "app/pages/mend/mend_picture_item.hpp"
 #include "drawn_item.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace mend_picture_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -80,5 +83,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendPictureItemTest)
+} // namespace mend_picture_item_test
+
+TP_TEST(mend_picture_item_test, MendPictureItemTest, window)
 #include "mend_picture_item_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_preview.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <utility>
+
+namespace mend_preview_test {
 
 using namespace tp;
 using State = MendPreview::State;
@@ -74,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendPreviewTest)
+} // namespace mend_preview_test
+
+TP_TEST(mend_preview_test, MendPreviewTest, window)
 #include "mend_preview_test.moc"

@@ -2,6 +2,7 @@
 #include "app/pages/mend/mend_saving.hpp"
 #include "core/files/durable_file.hpp"
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTest>
@@ -10,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+
+namespace mend_saving_test {
 
 using namespace tp;
 
@@ -179,5 +182,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendSavingTest)
+} // namespace mend_saving_test
+
+TP_TEST(mend_saving_test, MendSavingTest, window)
 #include "mend_saving_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace mend_selection_test {
 
 using namespace tp;
 
@@ -152,5 +155,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendSelectionTest)
+} // namespace mend_selection_test
+
+TP_TEST(mend_selection_test, MendSelectionTest, window)
 #include "mend_selection_test.moc"

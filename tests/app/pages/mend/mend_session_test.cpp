@@ -2,6 +2,7 @@
 #include "core/files/durable_file.hpp"
 #include "mend_bench.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTest>
@@ -11,6 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace mend_session_test {
 
 using namespace tp;
 using State = MendedPhoto::State;
@@ -158,5 +161,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MendSessionTest)
+} // namespace mend_session_test
+
+TP_TEST(mend_session_test, MendSessionTest, window)
 #include "mend_session_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace mend_view_test {
 
 using namespace tp;
 
@@ -89,5 +92,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MendViewTest)
+} // namespace mend_view_test
+
+TP_TEST(mend_view_test, MendViewTest, event_loop)
 #include "mend_view_test.moc"

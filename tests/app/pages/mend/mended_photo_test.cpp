@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mend_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <utility>
+
+namespace mended_photo_test {
 
 using namespace tp;
 using State = MendedPhoto::State;
@@ -64,5 +67,7 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(MendedPhotoTest)
+} // namespace mended_photo_test
+
+TP_TEST(mended_photo_test, MendedPhotoTest, event_loop)
 #include "mended_photo_test.moc"

@@ -3,8 +3,11 @@
 #include "page_test.hpp"
 #include "page_window.hpp"
 #include "print_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSize>
+
+namespace print_page_test {
 
 using namespace tp;
 
@@ -38,5 +41,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintPageTest)
+} // namespace print_page_test
+
+TP_TEST(print_page_test, PrintPageTest, window)
 #include "print_page_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "print_bench.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QImage>
 #include <QTest>
+
+namespace print_session_test {
 
 using namespace tp;
 
@@ -61,5 +64,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintSessionTest)
+} // namespace print_session_test
+
+TP_TEST(print_session_test, PrintSessionTest, window)
 #include "print_session_test.moc"

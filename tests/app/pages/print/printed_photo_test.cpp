@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/print/printed_photo.hpp"
 #include "print_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
+
+namespace printed_photo_test {
 
 using namespace tp;
 
@@ -36,5 +39,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PrintedPhotoTest)
+} // namespace printed_photo_test
+
+TP_TEST(printed_photo_test, PrintedPhotoTest, event_loop)
 #include "printed_photo_test.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/tactile/braille.hpp"
 #include "print_bench.hpp"
+#include "test_program.hpp"
 
 #include <QLocale>
 #include <QScopeGuard>
 #include <QTest>
+
+namespace printed_sheet_test {
 
 using namespace tp;
 
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintedSheetTest)
+} // namespace printed_sheet_test
+
+TP_TEST(printed_sheet_test, PrintedSheetTest, window)
 #include "printed_sheet_test.moc"

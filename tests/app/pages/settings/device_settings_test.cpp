@@ -2,10 +2,13 @@
 #include "device/calibration_file.hpp"
 #include "device/hid_pid/joystick_scale_file.hpp"
 #include "settings_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace device_settings_test {
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -348,5 +351,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DeviceSettingsTest)
+} // namespace device_settings_test
+
+TP_TEST(device_settings_test, DeviceSettingsTest, event_loop)
 #include "device_settings_test.moc"

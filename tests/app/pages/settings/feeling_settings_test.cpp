@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/feeling_settings.hpp"
 #include "setting_ground.hpp"
+#include "test_program.hpp"
+
+namespace feeling_settings_test {
 
 using namespace tp;
 
@@ -36,5 +39,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FeelingSettingsTest)
+} // namespace feeling_settings_test
+
+TP_TEST(feeling_settings_test, FeelingSettingsTest, event_loop)
 #include "feeling_settings_test.moc"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/look_settings.hpp"
 #include "setting_ground.hpp"
+#include "test_program.hpp"
+
+namespace look_settings_test {
 
 using namespace tp;
 
@@ -26,5 +29,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LookSettingsTest)
+} // namespace look_settings_test
+
+TP_TEST(look_settings_test, LookSettingsTest, event_loop)
 #include "look_settings_test.moc"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setting_ground.hpp"
+#include "test_program.hpp"
+
+namespace setting_steps_test {
 
 using namespace tp;
 
@@ -52,5 +55,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SettingStepsTest)
+} // namespace setting_steps_test
+
+TP_TEST(setting_steps_test, SettingStepsTest, event_loop)
 #include "setting_steps_test.moc"

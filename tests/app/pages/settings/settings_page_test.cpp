@@ -3,6 +3,7 @@
 #include "page_test.hpp"
 #include "page_window.hpp"
 #include "settings_bench.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QPoint>
@@ -13,6 +14,8 @@
 
 #include <cmath>
 #include <memory>
+
+namespace settings_page_test {
 
 using namespace tp;
 
@@ -190,5 +193,7 @@ private:
     const QString page = "Settings/SettingsPage.qml";
 };
 
-QTEST_MAIN(SettingsPageTest)
+} // namespace settings_page_test
+
+TP_TEST(settings_page_test, SettingsPageTest, window)
 #include "settings_page_test.moc"

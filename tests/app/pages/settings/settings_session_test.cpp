@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace settings_session_test {
 
 using namespace tp;
 
@@ -35,5 +38,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SettingsSessionTest)
+} // namespace settings_session_test
+
+TP_TEST(settings_session_test, SettingsSessionTest, event_loop)
 #include "settings_session_test.moc"

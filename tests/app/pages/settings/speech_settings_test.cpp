@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/speech_settings.hpp"
 #include "setting_ground.hpp"
+#include "test_program.hpp"
+
+namespace speech_settings_test {
 
 using namespace tp;
 
@@ -53,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpeechSettingsTest)
+} // namespace speech_settings_test
+
+TP_TEST(speech_settings_test, SpeechSettingsTest, event_loop)
 #include "speech_settings_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/storage_settings.hpp"
 #include "setting_ground.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <filesystem>
+
+namespace storage_settings_test {
 
 using namespace tp;
 
@@ -82,5 +85,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StorageSettingsTest)
+} // namespace storage_settings_test
+
+TP_TEST(storage_settings_test, StorageSettingsTest, event_loop)
 #include "storage_settings_test.moc"

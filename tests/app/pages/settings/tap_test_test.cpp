@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/tap_test.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <vector>
+
+namespace tap_test_test {
 
 using namespace tp;
 
@@ -61,5 +64,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TapTestTest)
+} // namespace tap_test_test
+
+TP_TEST(tap_test_test, TapTestTest, nothing)
 #include "tap_test_test.moc"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/tick_settings.hpp"
 #include "settings_bench.hpp"
+#include "test_program.hpp"
+
+namespace tick_settings_test {
 
 using namespace tp;
 
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TickSettingsTest)
+} // namespace tick_settings_test
+
+TP_TEST(tick_settings_test, TickSettingsTest, window)
 #include "tick_settings_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "start_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
+
+namespace first_questions_test {
 
 using namespace tp;
 
@@ -112,5 +115,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FirstQuestionsTest)
+} // namespace first_questions_test
+
+TP_TEST(first_questions_test, FirstQuestionsTest, event_loop)
 #include "first_questions_test.moc"

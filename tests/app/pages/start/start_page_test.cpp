@@ -3,10 +3,13 @@
 #include "page_test.hpp"
 #include "page_window.hpp"
 #include "start_bench.hpp"
+#include "test_program.hpp"
 
 #include <QPoint>
 #include <QPointingDevice>
 #include <QSignalSpy>
+
+namespace start_page_test {
 
 using namespace tp;
 
@@ -117,5 +120,7 @@ private:
     const QString page = "Start/StartPage.qml";
 };
 
-QTEST_MAIN(StartPageTest)
+} // namespace start_page_test
+
+TP_TEST(start_page_test, StartPageTest, window)
 #include "start_page_test.moc"

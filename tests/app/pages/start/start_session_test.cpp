@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "start_bench.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
+
+namespace start_session_test {
 
 using namespace tp;
 
@@ -87,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StartSessionTest)
+} // namespace start_session_test
+
+TP_TEST(start_session_test, StartSessionTest, event_loop)
 #include "start_session_test.moc"

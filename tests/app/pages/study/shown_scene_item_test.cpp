@@ -3,8 +3,11 @@
 #include "app/pages/study/shown_scene_item.hpp"
 #include "drawn_item.hpp"
 #include "study_parts.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace shown_scene_item_test {
 
 using namespace tp;
 using namespace tp::testing;
@@ -83,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ShownSceneItemTest)
+} // namespace shown_scene_item_test
+
+TP_TEST(shown_scene_item_test, ShownSceneItemTest, window)
 #include "shown_scene_item_test.moc"

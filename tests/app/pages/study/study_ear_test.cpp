@@ -2,6 +2,7 @@
 // The tone of the drawn finger as a participant hears it: how far the line is, on which side, and above or below.
 #include "app/pages/study/study_ear.hpp"
 #include "fake_loudspeaker.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+namespace study_ear_test {
 
 using namespace tp;
 
@@ -110,5 +113,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyEarTest)
+} // namespace study_ear_test
+
+TP_TEST(study_ear_test, StudyEarTest, event_loop)
 #include "study_ear_test.moc"

@@ -5,12 +5,15 @@
 #include "core/guidance/haptic_scene.hpp"
 #include "core/guidance/scene.hpp"
 #include "device_socket.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
 #include <utility>
+
+namespace study_finger_test {
 
 using namespace tp;
 
@@ -251,5 +254,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyFingerTest)
+} // namespace study_finger_test
+
+TP_TEST(study_finger_test, StudyFingerTest, event_loop)
 #include "study_finger_test.moc"

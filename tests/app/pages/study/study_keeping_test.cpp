@@ -5,6 +5,7 @@
 #include "core/experiment/next_trial.hpp"
 #include "core/experiment/trial_order.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -17,6 +18,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace study_keeping_test {
 
 using namespace tp;
 using Known = StudyKeeping::Known;
@@ -191,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyKeepingTest)
+} // namespace study_keeping_test
+
+TP_TEST(study_keeping_test, StudyKeepingTest, event_loop)
 #include "study_keeping_test.moc"

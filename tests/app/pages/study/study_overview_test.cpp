@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the researcher hears of a study between two sittings, and its report.
 #include "study_bench.hpp"
+#include "test_program.hpp"
 
 #include <QFileInfo>
 
 #include <fstream>
+
+namespace study_overview_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -156,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyOverviewTest)
+} // namespace study_overview_test
+
+TP_TEST(study_overview_test, StudyOverviewTest, window)
 #include "study_overview_test.moc"

@@ -4,6 +4,7 @@
 #include "page_test.hpp"
 #include "page_window.hpp"
 #include "study_bench.hpp"
+#include "test_program.hpp"
 
 #include <QImage>
 #include <QPointingDevice>
@@ -13,6 +14,8 @@
 #include <QSet>
 
 #include <memory>
+
+namespace study_page_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -296,5 +299,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyPageTest)
+} // namespace study_page_test
+
+TP_TEST(study_page_test, StudyPageTest, window)
 #include "study_page_test.moc"

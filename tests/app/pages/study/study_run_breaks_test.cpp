@@ -3,12 +3,15 @@
 // lost by it.
 #include "core/study_folder/running_trial.hpp"
 #include "study_parts.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 
 #include <functional>
+
+namespace study_run_breaks_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -313,5 +316,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyRunBreaksTest)
+} // namespace study_run_breaks_test
+
+TP_TEST(study_run_breaks_test, StudyRunBreaksTest, event_loop)
 #include "study_run_breaks_test.moc"

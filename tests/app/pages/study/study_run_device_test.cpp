@@ -2,8 +2,11 @@
 // A sitting with a force device, by itself: it brings the finger to the start, and goes with its force at every way out.
 #include "device_socket.hpp"
 #include "study_parts.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
+
+namespace study_run_device_test {
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyRunDeviceTest)
+} // namespace study_run_device_test
+
+TP_TEST(study_run_device_test, StudyRunDeviceTest, event_loop)
 #include "study_run_device_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sitting by itself: its states, the order of its trials, how each ends, what is kept and what is told.
 #include "study_parts.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <functional>
 #include <utility>
+
+namespace study_run_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -392,5 +395,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyRunTest)
+} // namespace study_run_test
+
+TP_TEST(study_run_test, StudyRunTest, event_loop)
 #include "study_run_test.moc"

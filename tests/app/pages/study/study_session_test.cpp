@@ -2,8 +2,11 @@
 // What set-up, sitting, page and window have to do with each other.
 #include "core/study_folder/running_trial.hpp"
 #include "study_bench.hpp"
+#include "test_program.hpp"
 
 #include <QDir>
+
+namespace study_session_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -104,5 +107,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudySessionTest)
+} // namespace study_session_test
+
+TP_TEST(study_session_test, StudySessionTest, window)
 #include "study_session_test.moc"

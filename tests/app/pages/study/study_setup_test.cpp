@@ -3,8 +3,11 @@
 #include "device_socket.hpp"
 #include "places.hpp"
 #include "study_bench.hpp"
+#include "test_program.hpp"
 
 #include <QFileInfo>
+
+namespace study_setup_test {
 
 using namespace tp;
 using State = StudyRun::State;
@@ -191,5 +194,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudySetupTest)
+} // namespace study_setup_test
+
+TP_TEST(study_setup_test, StudySetupTest, window)
 #include "study_setup_test.moc"

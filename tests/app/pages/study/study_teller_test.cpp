@@ -5,6 +5,7 @@
 #include "audio/sound/earcons.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QStringList>
@@ -15,6 +16,8 @@
 #include <functional>
 #include <utility>
 #include <vector>
+
+namespace study_teller_test {
 
 using namespace tp;
 
@@ -113,5 +116,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StudyTellerTest)
+} // namespace study_teller_test
+
+TP_TEST(study_teller_test, StudyTellerTest, event_loop)
 #include "study_teller_test.moc"

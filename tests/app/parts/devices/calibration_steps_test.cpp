@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/calibration_steps.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace calibration_steps_test {
 
 using namespace tp;
 
@@ -94,5 +97,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CalibrationStepsTest)
+} // namespace calibration_steps_test
+
+TP_TEST(calibration_steps_test, CalibrationStepsTest, event_loop)
 #include "calibration_steps_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/device_access.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <vector>
+
+namespace device_access_test {
 
 using namespace tp;
 
@@ -33,5 +36,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DeviceAccessTest)
+} // namespace device_access_test
+
+TP_TEST(device_access_test, DeviceAccessTest, event_loop)
 #include "device_access_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/device_connector.hpp"
 #include "device_socket.hpp"
+#include "test_program.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -8,6 +9,8 @@
 #include <functional>
 #include <memory>
 #include <utility>
+
+namespace device_connector_test {
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -115,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DeviceConnectorTest)
+} // namespace device_connector_test
+
+TP_TEST(device_connector_test, DeviceConnectorTest, event_loop)
 #include "device_connector_test.moc"

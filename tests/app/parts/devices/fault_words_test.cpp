@@ -4,12 +4,15 @@
 #include "device/force_pad/pad_frames.hpp"
 #include "device/open_problem.hpp"
 #include "marked_sentences.hpp"
+#include "test_program.hpp"
 
 #include <QCoreApplication>
 #include <QTest>
 
 #include <set>
 #include <string>
+
+namespace fault_words_test {
 
 using namespace tp;
 
@@ -40,5 +43,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FaultWordsTest)
+} // namespace fault_words_test
+
+TP_TEST(fault_words_test, FaultWordsTest, event_loop)
 #include "fault_words_test.moc"

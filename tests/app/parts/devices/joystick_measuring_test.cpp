@@ -2,12 +2,15 @@
 #include "../../../device/hid_pid/joystick_bench.hpp"
 #include "app/parts/devices/calibration_steps.hpp"
 #include "app/parts/devices/joystick_measuring.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace joystick_measuring_test {
 
 using namespace tp;
 using tp::testing::JoystickBench;
@@ -197,5 +200,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(JoystickMeasuringTest)
+} // namespace joystick_measuring_test
+
+TP_TEST(joystick_measuring_test, JoystickMeasuringTest, event_loop)
 #include "joystick_measuring_test.moc"

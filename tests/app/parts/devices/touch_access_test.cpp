@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/touch_access.hpp"
 #include "app/parts/devices/touch_drive.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <vector>
+
+namespace touch_access_test {
 
 using namespace tp;
 
@@ -68,5 +71,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TouchAccessTest)
+} // namespace touch_access_test
+
+TP_TEST(touch_access_test, TouchAccessTest, event_loop)
 #include "touch_access_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs under a bare finger as pages come to them: the next page gets one only when the one before has let go of its own.
 #include "app/parts/devices/touch_connector.hpp"
+#include "test_program.hpp"
 #include "touch_socket.hpp"
 
 #include <QTest>
 
 #include <memory>
 #include <utility>
+
+namespace touch_connector_test {
 
 using namespace tp;
 using tp::testing::TouchSocket;
@@ -67,5 +70,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TouchConnectorTest)
+} // namespace touch_connector_test
+
+TP_TEST(touch_connector_test, TouchConnectorTest, event_loop)
 #include "touch_connector_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thumb on a small pad, whose way is enlarged to the surface: what it does is felt, that it trembles is not.
 #include "app/parts/devices/touch_drive.hpp"
+#include "test_program.hpp"
 #include "touch_output_double.hpp"
 
 #include <QTest>
@@ -11,6 +12,8 @@
 #include <memory>
 #include <numbers>
 #include <utility>
+
+namespace touch_drive_test {
 
 using namespace tp;
 using tp::testing::TouchOutputDouble;
@@ -89,5 +92,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TouchDriveTest)
+} // namespace touch_drive_test
+
+TP_TEST(touch_drive_test, TouchDriveTest, nothing)
 #include "touch_drive_test.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/corrections.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace corrections_test {
 
 using namespace tp;
 
@@ -146,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CorrectionsTest)
+} // namespace corrections_test
+
+TP_TEST(corrections_test, CorrectionsTest, nothing)
 #include "corrections_test.moc"

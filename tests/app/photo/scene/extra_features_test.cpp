@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/extra_features.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace extra_features_test {
 
 using namespace tp;
 
@@ -76,5 +79,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExtraFeaturesTest)
+} // namespace extra_features_test
+
+TP_TEST(extra_features_test, ExtraFeaturesTest, nothing)
 #include "extra_features_test.moc"

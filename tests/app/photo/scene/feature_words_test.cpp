@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/feature_words.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace feature_words_test {
 
 class FeatureWordsTest : public QObject {
     Q_OBJECT
@@ -19,5 +22,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FeatureWordsTest)
+} // namespace feature_words_test
+
+TP_TEST(feature_words_test, FeatureWordsTest, nothing)
 #include "feature_words_test.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/scene_builder.hpp"
 #include "core/geometry/flatten.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
+
+namespace scene_builder_test {
 
 using namespace tp;
 
@@ -127,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneBuilderTest)
+} // namespace scene_builder_test
+
+TP_TEST(scene_builder_test, SceneBuilderTest, nothing)
 #include "scene_builder_test.moc"

@@ -7,12 +7,15 @@
 #include "device/hid_pid/pid_joystick.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+
+namespace scene_reach_test {
 
 using namespace tp;
 
@@ -220,5 +223,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneReachTest)
+} // namespace scene_reach_test
+
+TP_TEST(scene_reach_test, SceneReachTest, nothing)
 #include "scene_reach_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/tactile/braille.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace braille_test {
 
 using namespace tp;
 
@@ -106,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BrailleTest)
+} // namespace braille_test
+
+TP_TEST(braille_test, BrailleTest, event_loop)
 #include "braille_test.moc"

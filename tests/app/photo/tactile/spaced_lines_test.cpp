@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/tactile/spaced_lines.hpp"
-
 #include "core/geometry/flatten.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+namespace spaced_lines_test {
 
 using namespace tp;
 
@@ -116,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SpacedLinesTest)
+} // namespace spaced_lines_test
+
+TP_TEST(spaced_lines_test, SpacedLinesTest, event_loop)
 #include "spaced_lines_test.moc"

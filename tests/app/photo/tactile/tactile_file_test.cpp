@@ -5,6 +5,7 @@
 #include "core/geometry/flatten.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "drawn_faces.hpp"
+#include "test_program.hpp"
 
 #include <QImage>
 #include <QPoint>
@@ -17,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+namespace tactile_file_test {
 
 using namespace tp;
 
@@ -165,5 +168,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TactileFileTest)
+} // namespace tactile_file_test
+
+TP_TEST(tactile_file_test, TactileFileTest, window)
 #include "tactile_file_test.moc"

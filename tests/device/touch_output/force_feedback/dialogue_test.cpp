@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a node is asked for and when, request by request.
 #include "device/touch_output/force_feedback/feedback_output.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace dialogue_test {
 
 using namespace tp;
 
@@ -254,5 +257,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DialogueTest)
+} // namespace dialogue_test
+
+TP_TEST(dialogue_test, DialogueTest, nothing)
 #include "dialogue_test.moc"

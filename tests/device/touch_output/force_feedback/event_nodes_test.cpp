@@ -6,6 +6,7 @@
 #include "device/touch_output/force_feedback/plugged_feedback.hpp"
 #include "nodes_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +16,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+namespace event_nodes_test {
 
 using namespace tp;
 
@@ -159,5 +162,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EventNodesTest)
+} // namespace event_nodes_test
+
+TP_TEST(event_nodes_test, EventNodesTest, nothing)
 #include "event_nodes_test.moc"

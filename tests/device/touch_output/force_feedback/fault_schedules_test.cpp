@@ -3,6 +3,7 @@
 // nothing; it ends in time; nobody is left without a sentence.
 #include "../../closed_loop/fault_schedules.hpp"
 #include "motor_bench.hpp"
+#include "test_program.hpp"
 
 #include <QString>
 #include <QTest>
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+namespace fault_schedules_test {
 
 using namespace tp;
 using tp::testing::any_trouble;
@@ -175,5 +178,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaultSchedulesTest)
+} // namespace fault_schedules_test
+
+TP_TEST(fault_schedules_test, FaultSchedulesTest, nothing)
 #include "fault_schedules_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which devices tick and how, and what a tick becomes on each.
 #include "device/touch_output/force_feedback/feedback_effect.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <array>
 #include <initializer_list>
 #include <limits>
+
+namespace feedback_effect_test {
 
 using namespace tp;
 using namespace tp::feedback_bit;
@@ -105,5 +108,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FeedbackEffectTest)
+} // namespace feedback_effect_test
+
+TP_TEST(feedback_effect_test, FeedbackEffectTest, nothing)
 #include "feedback_effect_test.moc"

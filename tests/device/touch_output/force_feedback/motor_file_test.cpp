@@ -3,12 +3,15 @@
 #include "core/touch/tick.hpp"
 #include "device/touch_output/force_feedback/feedback_output.hpp"
 #include "device/touch_output/force_feedback/motor_file.hpp"
+#include "test_program.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+
+namespace motor_file_test {
 
 using namespace tp;
 
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MotorFileTest)
+} // namespace motor_file_test
+
+TP_TEST(motor_file_test, MotorFileTest, event_loop)
 #include "motor_file_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "../pad_judge.hpp"
 #include "haptics_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <memory>
 #include <string>
 #include <utility>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using tp::testing::HapticsBench;
@@ -40,5 +43,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HapticsClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, HapticsClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

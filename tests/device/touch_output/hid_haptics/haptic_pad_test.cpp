@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptics_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace haptic_pad_test {
 
 using namespace tp;
 using tp::testing::HapticsBench;
@@ -385,5 +388,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HapticPadTest)
+} // namespace haptic_pad_test
+
+TP_TEST(haptic_pad_test, HapticPadTest, nothing)
 #include "haptic_pad_test.moc"

@@ -3,6 +3,7 @@
 #include "described_pads.hpp"
 #include "layout_check.hpp"
 #include "places.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <cstdint>
 #include <random>
 #include <string>
+
+namespace haptics_layout_test {
 
 using namespace tp;
 using namespace tp::haptics;
@@ -208,5 +211,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HapticsLayoutTest)
+} // namespace haptics_layout_test
+
+TP_TEST(haptics_layout_test, HapticsLayoutTest, nothing)
 #include "haptics_layout_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "described_pads.hpp"
 #include "device/touch_output/hid_haptics/haptics_reports.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+
+namespace haptics_reports_test {
 
 using namespace tp;
 using namespace tp::haptics;
@@ -250,5 +253,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HapticsReportsTest)
+} // namespace haptics_reports_test
+
+TP_TEST(haptics_reports_test, HapticsReportsTest, nothing)
 #include "haptics_reports_test.moc"

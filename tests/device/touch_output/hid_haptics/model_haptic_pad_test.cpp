@@ -2,6 +2,7 @@
 // The model, of which nothing is read back through what it is to try.
 #include "../../descriptor_lines.hpp"
 #include "device/touch_output/hid_haptics/model_haptic_pad.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace model_haptic_pad_test {
 
 using namespace tp;
 
@@ -116,5 +119,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ModelHapticPadTest)
+} // namespace model_haptic_pad_test
+
+TP_TEST(model_haptic_pad_test, ModelHapticPadTest, nothing)
 #include "model_haptic_pad_test.moc"

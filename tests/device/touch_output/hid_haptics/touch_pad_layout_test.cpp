@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a descriptor says of the touch pad: its size, its fingers, its button.
 #include "described_pads.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+
+namespace touch_pad_layout_test {
 
 using namespace tp;
 using namespace tp::haptics;
@@ -171,5 +174,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TouchPadLayoutTest)
+} // namespace touch_pad_layout_test
+
+TP_TEST(touch_pad_layout_test, TouchPadLayoutTest, nothing)
 #include "touch_pad_layout_test.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "../pad_judge.hpp"
 #include "steam_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
 #include <cstdint>
 #include <memory>
 #include <utility>
+
+namespace closed_loop_test {
 
 using namespace tp;
 using tp::testing::SteamBench;
@@ -29,5 +32,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SteamClosedLoopTest)
+} // namespace closed_loop_test
+
+TP_TEST(closed_loop_test, SteamClosedLoopTest, nothing)
 #include "closed_loop_test.moc"

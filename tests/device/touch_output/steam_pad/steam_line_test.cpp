@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a Steam pad's back end says on the line, message by message, and how much it reads.
 #include "steam_bench.hpp"
+#include "test_program.hpp"
 
 #include <QTest>
 
@@ -9,6 +10,8 @@
 #include <cstdlib>
 #include <optional>
 #include <vector>
+
+namespace steam_line_test {
 
 using namespace tp;
 using tp::testing::lend;
@@ -178,5 +181,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SteamLineTest)
+} // namespace steam_line_test
+
+TP_TEST(steam_line_test, SteamLineTest, nothing)
 #include "steam_line_test.moc"

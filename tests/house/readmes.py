@@ -13,7 +13,7 @@
   and Consequences.
 - A link to a file of the house leads to a file that is there.
 
-The README of the root may be longer, and rows of its tables may be wider. Usage: readmes.py ROOT
+The README of the root may be longer, and rows of its tables and of the lists in docs may be wider. Usage: readmes.py ROOT
 """
 
 import pathlib
@@ -24,7 +24,7 @@ LINES, PROSE, FIXED = 60, 100, 120
 ROOM = ["How it works", "Files", "To add one more", "Not here"]
 DECISION = ["Context", "Choice", "Consequences"]
 ROOT_README = "README.md"
-WIDE_TABLES = {ROOT_README}
+WIDE_TABLES = {ROOT_README, "docs/dependencies.md", "docs/features.md"}
 # Pages of their own form.
 OTHER = {"SECURITY.md", "THREATS.md", "tests/foreign_bytes.md", "device/force_pad/PROTOCOL.md",
          "device/recording/FORMAT.md"}

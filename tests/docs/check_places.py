@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What CONTRIBUTING.md and docs name is there: check_places.py ROOT fails where they name a file, a folder or a name of the
-API that does not exist, where a line is too long, and where a thread is made in a file that docs/threads.md does not name."""
+API that does not exist, and where a thread is made in a file that docs/threads.md does not name."""
 import os
 import re
 import sys
@@ -14,7 +14,6 @@ ENDINGS = (".md", ".txt", ".cpp", ".hpp", ".qml", ".cmake", ".json", ".py", ".ts
 TOPS = ("app", "audio", "cmake", "core", "device", "docs", "faces", "packaging", "resources", "tests")
 THREADS = re.compile(r"std::j?thread\s*[>{(]|std::(?:j?thread|vector<std::j?thread>) \w+|std::async\(|"
                      r"^\s*(?:QThread\*?|QThreadPool) \w+;|\bnew QThread\b", re.M)
-WIDEST, WIDEST_TABLE = 100, 120
 
 
 def text_of(file):
@@ -52,13 +51,6 @@ def missing_names(root, page, text):
             yield f"{page} names tp::{name}, which no header declares"
 
 
-def long_lines(page, text):
-    for number, line in enumerate(text.splitlines(), 1):
-        widest = WIDEST_TABLE if line.startswith("|") else WIDEST
-        if len(line) > widest:
-            yield f"{page}:{number}: {len(line)} characters, {len(line) - widest} too many"
-
-
 def unknown_threads(root, table):
     for file in sources(root, ("app", "audio", "core", "device", "faces"), (".cpp", ".hpp")):
         stem = os.path.splitext(os.path.basename(file))[0]
@@ -73,7 +65,6 @@ def faults(root):
         text = text_of(os.path.join(root, page))
         yield from missing_places(root, page, text)
         yield from missing_names(root, page, text)
-        yield from long_lines(page, text)
     yield from unknown_threads(root, text_of(os.path.join(root, "docs", "threads.md")))
 
 

@@ -3,9 +3,11 @@
 """Texts keep to the program's words: words.py ROOT fails where a text that a person meets holds a word that the last table of
 resources/translations/README.md forbids in its language.
 
-Read are the English texts and the translations of the catalogues, and as English the strings of the shell's verbs and options. A word
+Read are the English texts and the translations of the catalogues, as English the strings of the shell's verbs and options, and as "docs" the
+Markdown files, but for what the scripts make. A word
 matches whole, and in either case unless it begins with a capital; one that ends in "…" matches every word that begins so.
 Korean, whose particles follow without a space, matches anywhere."""
+import itertools
 import pathlib
 import re
 import sys
@@ -14,7 +16,8 @@ import xml.etree.ElementTree as ET
 from sentences import tokens
 
 GLOSSARY = "resources/translations/README.md"
-ROW = re.compile(r"^\| (en|de|ko) \| (.+?) \| (.+?) \|$", re.M)
+ROW = re.compile(r"^\| (en|docs|de|ko) \| (.+?) \| (.+?) \|$", re.M)
+MADE = {"build", "out"}  # folders that the scripts make
 SHELL = ("app/cli/**/*.cpp", "app/main.cpp")
 
 
@@ -52,12 +55,21 @@ def texts(root):
                 yield f"{file.relative_to(root)}:{token.line}", "en", token.text
 
 
+def documentation(root):
+    """(where, language, line) of the Markdown files, but for the glossary, which names the words."""
+    for file in sorted(root.rglob("*.md")):
+        name = file.relative_to(root)
+        if name.parts[0] not in MADE and name.as_posix() != GLOSSARY:
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                yield f"{name}:{number}", "docs", line
+
+
 def faults(root):
     words = forbidden(root)
-    for language in ("en", "de", "ko"):
+    for language in ("en", "docs", "de", "ko"):
         if language not in words:
             yield f"{GLOSSARY} forbids no word of {language}"
-    for where, language, text in texts(root):
+    for where, language, text in itertools.chain(texts(root), documentation(root)):
         for found, word, instead in words.get(language, []):
             if found.search(text):
                 yield f"{where}: \"{text}\" says \"{word}\"; the glossary says {instead}"

@@ -12,13 +12,14 @@ GLOSSARY = """# Words
 | language | never | but |
 | --- | --- | --- |
 | en | shall, Return | should, Enter |
+| docs | anew | again |
 | de | vorig…, du | vorherig…, Sie |
 | ko | 십시오, 을(를) | 세요 |
 """
 
 
-def found(source="Save", german="Speichern", korean="저장", shell="", glossary=GLOSSARY):
-    """What is wrong of a house with one text in three languages and one verb, whose texts are `shell`."""
+def found(source="Save", german="Speichern", korean="저장", shell="", docs="", glossary=GLOSSARY):
+    """What is wrong of a house with one text in three languages and one verb, whose texts are `shell`, and a page."""
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         page = root / "resources/translations"
@@ -30,6 +31,10 @@ def found(source="Save", german="Speichern", korean="저장", shell="", glossary
                 f"<translation>{text}</translation></message></context></TS>", encoding="utf-8")
         (root / "app/cli/album").mkdir(parents=True)
         (root / "app/cli/album/verb.cpp").write_text(f"// shall\nsay(\"{shell}\");\n", encoding="utf-8")
+        (root / "room").mkdir()
+        (root / "room/README.md").write_text(docs, encoding="utf-8")
+        (root / "build").mkdir()
+        (root / "build/made.md").write_text("Anew.", encoding="utf-8")
         return list(faults(root))
 
 
@@ -42,6 +47,11 @@ class Words(unittest.TestCase):
                          ['touchphoto_de.ts: Page: "What shall it say?" says "shall"; the glossary says should, Enter'])
         self.assertEqual(len(found(german="Das kannst du")), 1)
         self.assertEqual(len(found(korean="누르십시오")), 1)
+
+    def test_documentation_is_read_line_by_line(self):
+        self.assertEqual(found(docs="# Title\nIt begins anew.\n"),
+                         ['room/README.md:2: "It begins anew." says "anew"; the glossary says again'])
+        self.assertEqual(found(docs="It begins again; What shall we do?"), [])
 
     def test_forms_of_a_plural_are_texts(self):
         self.assertEqual(len(found(german="<numerusform>Foto</numerusform><numerusform>vorige Fotos</numerusform>")), 1)
@@ -63,7 +73,7 @@ class Words(unittest.TestCase):
         self.assertEqual(len(found(korean="%1을(를) 찾을 수 없음")), 1)
 
     def test_a_glossary_that_forbids_nothing_is_a_fault(self):
-        self.assertEqual(len(found(glossary="# Words\n")), 3)
+        self.assertEqual(len(found(glossary="# Words\n")), 4)
 
 
 if __name__ == "__main__":

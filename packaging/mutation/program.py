@@ -148,12 +148,10 @@ class Program:
         return shlex.split(line.split(": && ", 1)[1].rsplit(" && :", 1)[0])
 
     def source_of(self, test_object: str) -> str:
-        """tests/core/servo/CMakeFiles/T.dir/X.cpp.o is made of tests/core/servo/X.cpp; one of many files, of the build's file that
-        includes them, with its path."""
-        if "/Unity/unity_" in test_object:
-            return str(self.build / test_object.removesuffix(".o"))
+        """tests/core/servo/CMakeFiles/T.dir/X.cpp.o is made of tests/core/servo/X.cpp; what the build wrote, of that with its path."""
         folder, rest = test_object.split("/CMakeFiles/", 1)
-        return os.path.normpath(f"{folder}/{rest.split('.dir/', 1)[1].removesuffix('.o')}")
+        source = os.path.normpath(f"{folder}/{rest.split('.dir/', 1)[1].removesuffix('.o')}")
+        return source if (self.root / source).exists() else str(self.build / source)
 
     def headers_of(self, test_object: str) -> set[str]:
         """The files that this object was made of, by their real path."""

@@ -29,8 +29,9 @@ TESTS = """add_executable(test_limit limit_test.cpp)
 target_link_libraries(test_limit tiny)
 add_test(NAME room.limit COMMAND ${PROJECT_SOURCE_DIR}/run_test $<TARGET_FILE:test_limit>)
 """
-JOINED = """add_executable(test_room limit_test.cpp main.cpp)
-set_target_properties(test_room PROPERTIES UNITY_BUILD ON)
+JOINED = """file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_room_0.cpp "#include \\"limit_test.cpp\\"\n#include \\"main.cpp\\"\n")
+add_executable(test_room ${CMAKE_CURRENT_BINARY_DIR}/test_room_0.cpp)
+target_include_directories(test_room PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(test_room tiny)
 add_test(NAME room.limit COMMAND ${PROJECT_SOURCE_DIR}/run_test $<TARGET_FILE:test_room> limit_test)
 """

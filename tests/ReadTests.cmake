@@ -17,9 +17,9 @@ macro(tp_read_tests prefix)
   list(TRANSFORM stems APPEND _test)
 endmacro()
 
-# tp_test_sources(target FILE_test...): the tests of an executable, where everything is built a dozen at a time. They are included by
-# name, so that the same file is compiled in every clone and a compiler's cache knows it. To GCC what another file includes is a
-# header, of which it asks that no class uses what is anonymous there.
+# tp_test_sources(target FILE_test...): adds the tests to an executable; a whole build compiles a dozen at a time. The generated file
+# includes them by name, not by path, so that ccache finds it in every clone. GCC takes an included file for a header and would warn
+# of classes that use an anonymous namespace.
 function(tp_test_sources target)
   set(alone)
   set(together)
